@@ -1,0 +1,45 @@
+# How every Leadline library, program and test is compiled: one place for flags.
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(leadline_flags INTERFACE)
+target_include_directories(leadline_flags INTERFACE ${PROJECT_SOURCE_DIR})
+# No fused multiply-add and no fast-math: a golden number does not depend on the processor.
+target_compile_options(leadline_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+  -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough
+  -Wformat=2 -Werror=format-security
+  -Wno-missing-field-initializers)  # designated initialisers leave the rest to the defaults
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports uninitialised members of std::optional inside std::variant that are never read.
+  target_compile_options(leadline_flags INTERFACE -Wno-maybe-uninitialized)
+endif()
+if(LEADLINE_STRICT)
+  target_compile_options(leadline_flags INTERFACE -Werror)
+endif()
+if(LEADLINE_SANITIZE)
+  target_compile_options(leadline_flags INTERFACE -fsanitize=${LEADLINE_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(leadline_flags INTERFACE -fsanitize=${LEADLINE_SANITIZE})
+endif()
+
+# leadline_library(core_geo SOURCES a.cpp b.cpp LINKS core_types): the static library of one folder.
+# Its headers are spelt from the root: #include "core/geo/geodesy.h".
+function(leadline_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC leadline_flags ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+endfunction()
+
+# leadline_test(unit_core_geo SOURCES ... LINKS ...): one GoogleTest binary for one folder.
+function(leadline_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE leadline_flags ${ARG_LINKS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE LEADLINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    LEADLINE_BINARY_DIR="${PROJECT_BINARY_DIR}" LEADLINE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+  target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h> <string> <vector>)
+  add_test(NAME ${name} COMMAND ${name})
+endfunction()

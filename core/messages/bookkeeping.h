@@ -1,0 +1,43 @@
+#pragma once
+
+// What was heard, refused and suffered: the raw bytes and the messages about messages.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "core/types/text.h"
+#include "core/types/time.h"
+
+namespace leadline {
+
+/// Bytes exactly as they came. They live only until the Bus has handed the message to everybody; every other
+/// message points to it by Envelope::raw.
+struct RawFrame {
+  std::span<const std::uint8_t> bytes;
+  bool operator==(const RawFrame& o) const { return std::ranges::equal(bytes, o.bytes); }
+};
+
+/// Bytes that were not used because they were damaged, torn or out of range.
+struct Rejected {
+  Text<24> reason;           ///< one of decode's fixed words: "checksum", "truncated", "range", ...
+  std::uint64_t offset = 0;  ///< of its first byte in the source's byte stream
+  std::uint32_t length = 0;
+  bool operator==(const Rejected&) const = default;
+};
+
+/// A degraded state, in words for the operator.
+struct Health {
+  enum class Level : std::uint8_t { note, warning };
+  Level level = Level::note;
+  Text<200> text;
+  bool operator==(const Health&) const = default;
+};
+
+/// Every 100 ms of arrival time; time-outs happen on these only.
+struct Tick {
+  Arrival at;
+  bool operator==(const Tick&) const = default;
+};
+
+}  // namespace leadline

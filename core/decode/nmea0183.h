@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "core/flow/decoder.h"
+
+namespace leadline::decode {
+
+/// NMEA 0183 / IEC 61162-1 sentences and the makers' sentences of wire-formats 1.2 to 1.4.
+[[nodiscard]] std::unique_ptr<Decoder> make_nmea0183(const DecoderSettings& settings);
+
+}  // namespace leadline::decode

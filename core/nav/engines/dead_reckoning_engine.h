@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/nav/availability/availability.h"
+#include "core/nav/engines/position_fixes.h"
+#include "core/nav/engines/registry.h"
+#include "core/nav/engines/row_pace.h"
+#include "core/nav/motion/motion.h"
+
+namespace leadline::nav {
+
+/// Dead reckoning as an engine: starts at [navigation.initial] or the first valid fix and never looks at
+/// another; every fix gets a verdict with its residual, none is accepted.
+class DeadReckoningEngine final : public Engine {
+ public:
+  explicit DeadReckoningEngine(const EngineSetup& setup);
+  void take(const Envelope& envelope, EngineOutput& out) override;
+
+ private:
+  void on_fix(const PositionFix& fix, EngineOutput& out);
+
+  EngineSetup setup_;
+  Motion motion_;
+  PositionFixes fixes_;
+  Availability availability_;
+  RowPace pace_;
+};
+
+/// The start [navigation.initial] gives: nothing without latitude and longitude.
+struct InitialPosition {
+  Geodetic position;
+  Eigen::Matrix2d P;
+};
+[[nodiscard]] std::optional<InitialPosition> initial_position(const InitialOptions& initial);
+/// Sets the depth [navigation.initial] gives, if any.
+void apply_initial_depth(const InitialOptions& initial, Motion& motion);
+
+/// Publishes a change of availability: the ModeChange and, when it got worse, a Health warning.
+void publish_change(const Availability::Change& change, EngineId engine, Time now, EngineOutput& out);
+
+}  // namespace leadline::nav

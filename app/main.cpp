@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "app/configuration.h"
+#include "app/info.h"
+#include "app/list.h"
+#include "app/replay.h"
+#include "app/talk.h"
+
+namespace {
+
+using namespace leadline::app;
+
+int status(Exit exit) { return static_cast<int>(exit); }
+
+Exit check_config(const std::string& path) {
+  const auto loaded = load_configuration(path);
+  for (const auto& problem : loaded.problems) failure(problem);
+  if (!loaded.problems.empty()) return Exit::misused;
+  fmt::print("{}: ok, {} sources, engine {}\n", path, loaded.configuration.sources.size(),
+             loaded.configuration.navigation.navigation.engine);
+  return Exit::done;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program{"Leadline: the operator's ground station for underwater vehicles."};
+  program.set_version_flag("--version", std::string("leadline ") + LEADLINE_VERSION);
+  program.fallthrough();
+  program.require_subcommand(0, 1);
+  program.footer("Example: leadline replay dvl=winriver01.PD0 --config boat.toml --csv out");
+
+  bool quiet = false, verbose = false, example_config = false;
+  std::string config_to_check;
+  ReplayOptions replaying;
+  replaying.progress = isatty(STDERR_FILENO) == 1;
+  program.add_flag("--quiet", quiet, "say errors only");
+  program.add_flag("--verbose", verbose, "say every change of availability");
+  program.add_flag("--progress,!--no-progress", replaying.progress, "a bar; default: on a terminal");
+  program.add_option("--check-config", config_to_check, "check a configuration and leave")->type_name("FILE");
+  program.add_flag("--example-config", example_config, "print a complete configuration and leave");
+
+  auto* replay_verb = program.add_subcommand("replay", "logs through decoders and engines, headless");
+  replay_verb
+      ->add_option("INPUT", replaying.inputs,
+                   "a log, or source=FILE for one instrument's bytes; several are one timeline")
+      ->required();
+  replay_verb->add_option("--config", replaying.config, "the configuration (TOML)")
+      ->type_name("FILE")
+      ->required();
+  replay_verb->add_option("--engine", replaying.engines, "which engine; may be given several times")
+      ->type_name("NAME");
+  replay_verb
+      ->add_option("--csv", replaying.csv, "write <engine>.csv, fixes.csv, ship.csv, summary.json there")
+      ->type_name("DIR");
+  replay_verb->add_option("--speed", replaying.speed, "max, or a factor of real time")
+      ->type_name("max|N")
+      ->capture_default_str();
+  replay_verb->footer(
+      "Example: leadline replay s330=s330.txt gyr1=gyr1.txt --config ship.toml --engine fusion --csv out");
+
+  std::vector<std::string> files;
+  bool json = false;
+  auto* info_verb = program.add_subcommand("info", "what a log holds, every byte accounted for");
+  info_verb->add_option("FILE", files, "logs")->required();
+  info_verb->add_flag("--json", json, "as JSON");
+  info_verb->footer("Example: leadline info --json winriver01.PD0");
+
+  std::string what;
+  auto* list_verb = program.add_subcommand("list", "what this build offers");
+  list_verb->add_option("WHAT", what, "engines, decoders or links")
+      ->required()
+      ->check(CLI::IsMember({"engines", "decoders", "links"}));
+  list_verb->add_flag("--json", json, "as JSON");
+  list_verb->footer("Example: leadline list decoders");
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
+    set_loudness(Loudness::normal);
+    failure(fmt::format(
+        "{}; see `leadline {}--help`", e.what(),
+        program.get_subcommands().empty() ? "" : program.get_subcommands().front()->get_name() + " "));
+    return status(Exit::misused);
+  }
+  set_loudness(quiet ? Loudness::quiet : verbose ? Loudness::verbose : Loudness::normal);
+
+  if (example_config) {
+    fmt::print("{}", example_configuration());
+    return 0;
+  }
+  if (!config_to_check.empty()) return status(check_config(config_to_check));
+  if (replay_verb->parsed()) return status(replay(replaying));
+  if (info_verb->parsed()) return status(info(files, json));
+  if (list_verb->parsed()) return status(list(what, json));
+  fmt::print(stderr, "{}", program.help());
+  return status(Exit::misused);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {  // out of memory and the like: nothing of ours throws
+    fmt::print(stderr, "error: {}\n", e.what());
+    return status(Exit::failed);
+  }
+}

@@ -71,14 +71,21 @@ TEST(Palmer, SecondGpsIsSaidAndNotFused) {
     if (verdict.source == kSecondGps) {
       EXPECT_FALSE(verdict.value.accepted.has_value());
     }
-  int said = 0;
+  std::vector<std::string> said;
   for (const auto& health : fused().all<Health>())
-    if (health.value.text.view().find("gp02 is not used") != std::string_view::npos) {
-      ++said;
-      EXPECT_NE(health.value.text.view().find("dead astern"), std::string_view::npos)
-          << health.value.text.view();
-    }
-  EXPECT_EQ(said, 1);
+    if (health.source == kSecondGps) said.emplace_back(health.value.text.view());
+  ASSERT_EQ(said.size(), 2u);
+  for (const auto& text : said) EXPECT_NE(text.find("dead astern"), std::string::npos) << text;
+  EXPECT_NE(said[0].find("gp02 is not used"), std::string::npos) << said[0];
+  double north_m = 0.0, east_m = 0.0, rms_m = 0.0;
+  ASSERT_EQ(std::sscanf(said[1].c_str(),
+                        "gp02 against the position while both were there: %lf m north, %lf m east, RMS %lf",
+                        &north_m, &east_m, &rms_m),
+            3)
+      << said[1];
+  EXPECT_NEAR(north_m, 31.0, 2.0);
+  EXPECT_NEAR(east_m, 26.0, 2.0);
+  EXPECT_NEAR(rms_m, 41.0, 2.0);
 }
 
 TEST(Palmer, GyroAgreesWithTheSeapath) {

@@ -16,11 +16,10 @@ constexpr int kComparisons = 60;
 
 Eigen::Matrix2d isotropic(double variance) { return Eigen::Matrix2d::Identity() * variance; }
 
-/// "dead astern" and the like, where it is plain.
-const char* bearing_word(double bearing_deg) {
-  const double off_deg = std::abs(Angle::deg(bearing_deg).wrapped_pi().deg());
-  if (off_deg < 10.0) return ", dead ahead";
-  if (off_deg > 170.0) return ", dead astern";
+/// Where it is plain which way: along the ship's axis an offset smells of latency.
+const char* bearing_word(double off_bow_deg) {
+  if (std::abs(off_bow_deg) < 10.0) return ", dead ahead";
+  if (std::abs(off_bow_deg) > 170.0) return ", dead astern";
   return "";
 }
 
@@ -58,7 +57,9 @@ void FusionEngine::take(const Envelope& envelope, EngineOutput& out) {
 }
 
 void FusionEngine::evaluate(Time now, EngineOutput& out) {
+  const bool had_gnss = availability_.gnss_ok();
   if (const auto change = availability_.evaluate(now)) publish_change(*change, setup_.id, now, out);
+  if (had_gnss && !availability_.gnss_ok()) tell_comparisons(now, out);
   const Mode mode = availability_.mode();
   propagate_with(mode == Mode::C || mode == Mode::D ? Propagation::constant_velocity : Propagation::reckoning,
                  now);
@@ -187,7 +188,8 @@ FixResult FusionEngine::update(const PositionFix& fix, const Eigen::Vector2d& re
     motion_.track.shift(result.step);
     motion_.track.fixed(constant_velocity_.P_position());
   } else {
-    result = intersection_.fix(residual, seconds(fix.t - epoch_), fix.drms_m);
+    result = intersection_.fix(residual, seconds(fix.t - epoch_), fix.drms_m,
+                               std::sqrt(motion_.track.grown().trace()));
     motion_.track.shift(result.step);
     if (result.accepted) motion_.track.fixed(intersection_.P());
   }
@@ -198,23 +200,39 @@ FixResult FusionEngine::update(const PositionFix& fix, const Eigen::Vector2d& re
 void FusionEngine::compare(const PositionFix& fix, const Eigen::Vector2d& residual, double gate_m,
                            EngineOutput& out) {
   Rival& rival = rivals_[fix.source];
-  if (rival.compared >= kComparisons || position_source_ != PositionSource::gnss) return;
-  rival.north_m += residual.x();
-  rival.east_m += residual.y();
-  if (++rival.compared < kComparisons) return;
-  const double north_m = rival.north_m / kComparisons, east_m = rival.east_m / kComparisons;
-  const double off_m = std::hypot(north_m, east_m);
+  if (position_source_ != PositionSource::gnss || !availability_.gnss_ok()) return;
+  rival.residuals += residual;
+  rival.squares_m2 += residual.squaredNorm();
+  if (const auto attitude = motion_.attitude_at(fix.t).attitude) {
+    const Angle bearing = Angle::rad(std::atan2(rival.residuals.y(), rival.residuals.x()));
+    rival.off_bow_deg = (bearing - attitude->heading).wrapped_pi().deg();
+  }
+  if (++rival.compared != kComparisons) return;
+  const double off_m = rival.residuals.norm() / kComparisons;
   if (off_m < gate_m) return;
   rival.disagrees = true;
-  std::string from_bow;
-  if (const auto attitude = motion_.attitude_at(fix.t).attitude)
-    from_bow = bearing_word(std::atan2(east_m, north_m) * kDegPerRad - attitude->heading.deg());
   Health health{
       .level = Health::Level::warning,
-      .text = fmt::format("{} is not used: it lies {:.0f} m from the position ({:+.0f} m north, {:+.0f} m "
-                          "east{}), gate {:.0f} m; look for latency or a lever arm",
-                          motion_.source(fix.source).name, off_m, north_m, east_m, from_bow, gate_m)};
+      .text = fmt::format("{} is not used: it lies {:.0f} m from the position{}, gate {:.0f} m; look for "
+                          "latency or a lever arm",
+                          motion_.source(fix.source).name, off_m, bearing_word(rival.off_bow_deg), gate_m)};
   out.publish(fix.t, health, fix.source);
+}
+
+void FusionEngine::tell_comparisons(Time now, EngineOutput& out) {
+  for (std::size_t id = 0; id < rivals_.size(); ++id) {
+    Rival& rival = rivals_[id];
+    if (!rival.disagrees || rival.told) continue;
+    rival.told = true;
+    const Eigen::Vector2d mean = rival.residuals / rival.compared;
+    Health health{
+        .text = fmt::format("{} against the position while both were there: {:+.1f} m north, {:+.1f} m east, "
+                            "RMS {:.1f} m over {} fixes{}",
+                            motion_.source(static_cast<SourceId>(id)).name, mean.x(), mean.y(),
+                            std::sqrt(rival.squares_m2 / rival.compared), rival.compared,
+                            bearing_word(rival.off_bow_deg))};
+    out.publish(now, health, static_cast<SourceId>(id));
+  }
 }
 
 void FusionEngine::publish_row(Time t, EngineOutput& out) {

@@ -27,8 +27,10 @@ class FusionEngine final : public Engine {
   /// How a source that is not used compares with the position while both are there.
   struct Rival {
     int compared = 0;
-    double north_m = 0.0, east_m = 0.0;  // sums of its residuals
-    bool disagrees = false;
+    Eigen::Vector2d residuals = Eigen::Vector2d::Zero();  // their sum: north, east
+    double squares_m2 = 0.0;
+    double off_bow_deg = 0.0;  // which way the mean lies
+    bool disagrees = false, told = false;
   };
 
   void on_ping(const Motion::Ping& ping, EngineOutput& out);
@@ -37,6 +39,7 @@ class FusionEngine final : public Engine {
   void propagate_with(Propagation propagation, Time now);
   bool used(const PositionFix& fix);
   void compare(const PositionFix& fix, const Eigen::Vector2d& residual, double gate_m, EngineOutput& out);
+  void tell_comparisons(Time now, EngineOutput& out);
   [[nodiscard]] FixResult update(const PositionFix& fix, const Eigen::Vector2d& residual);
   void publish_row(Time t, EngineOutput& out);
 

@@ -42,13 +42,16 @@ void PlainCi::predict(const Vector2d& v_ne_mps, double dt_s) {
   drift_.grow(v_ne_mps.norm(), dt_s);
 }
 
-FixResult PlainCi::fix(const Vector2d& residual, double t_s, double gamma_m) {
+FixResult PlainCi::fix(const Vector2d& residual, double t_s, double gamma_m, double declared_sd_m) {
   LL_EXPECT(residual.allFinite() && gamma_m > 0.0);
   FixResult result;
-  result.gate_m = drift_.gate_m(gamma_m);
+  result.gate_m = drift_.gate_m(gamma_m, declared_sd_m);
 
   if (residual.norm() < result.gate_m) {
-    if (drift_.since_s > kLongGap_s) P_ += isotropic(drift_.sd_m() * drift_.sd_m() / 2.0);
+    if (declared_sd_m > drift_.sd_m())
+      P_ += isotropic(declared_sd_m * declared_sd_m / 2.0);
+    else if (drift_.since_s > kLongGap_s)
+      P_ += isotropic(drift_.sd_m() * drift_.sd_m() / 2.0);
     const Fused fused = ci(Vector2d::Zero(), P_, residual, isotropic(gamma_m * gamma_m / 2.0));
     P_ = fused.P;
     result.step = fused.x;

@@ -40,7 +40,9 @@ class PlainCi {
 
   /// residual = fix minus position, both now; t_s on any steady scale; gamma_m > 0, the telegram's own
   /// sigma when it has one.
-  FixResult fix(const Eigen::Vector2d& residual, double t_s, double gamma_m);
+  /// declared_sd_m: one sigma, 2-D, of what the configuration says dead reckoning may have strayed since the
+  /// last accepted fix (an uncalibrated mount); beyond the drift of the gate it widens the gate and P.
+  FixResult fix(const Eigen::Vector2d& residual, double t_s, double gamma_m, double declared_sd_m = 0.0);
 
   [[nodiscard]] const Eigen::Matrix2d& P() const { return P_; }
   /// Sum of all steps since the last reset: position minus pure dead reckoning.

@@ -19,7 +19,9 @@ double median(std::array<double, N>& values, int size) {
 
 }  // namespace
 
-double DriftSinceFix::gate_m(double gamma_m) const { return 3.0 * std::hypot(gamma_m, sd_m()); }
+double DriftSinceFix::gate_m(double gamma_m, double declared_sd_m) const {
+  return 3.0 * std::hypot(gamma_m, std::max(sd_m(), declared_sd_m));
+}
 
 void RejectedFixes::push(double t_s, const Eigen::Vector2d& e, double gamma_m) {
   LL_EXPECT(e.allFinite() && gamma_m > 0.0);

@@ -28,7 +28,8 @@ struct DriftSinceFix {
   [[nodiscard]] double sd_m() const { return 0.01 * distance_m + 0.002 * since_s; }
   /// 3 sqrt(gamma^2 + sd^2). Kim 2010 eq. 4 has 3 gamma alone, which locks the fixes out for ever once dead
   /// reckoning has drifted that far.
-  [[nodiscard]] double gate_m(double gamma_m) const;
+  /// declared_sd_m: what the configuration says it may have strayed, 2-D; the larger of the two counts.
+  [[nodiscard]] double gate_m(double gamma_m, double declared_sd_m = 0.0) const;
 };
 
 /// The latest rejected fixes, at most 18, kept as e = fix minus dead reckoning, which stands still while

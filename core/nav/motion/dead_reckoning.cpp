@@ -116,14 +116,14 @@ std::optional<Geodetic> DeadReckoning::position_at(Time t) const {
   return geo::displaced(position_, back.x(), back.y());
 }
 
-Eigen::Matrix2d DeadReckoning::covariance() const {
+Eigen::Matrix2d DeadReckoning::grown() const {
   const double along = systematic_.scale * systematic_.scale;
   const double across = systematic_.angle_rad * systematic_.angle_rad;
   const double white = noise_var_m2_ + drift_m_ * drift_m_;
   const double n = net_.x(), e = net_.y(), ne = (along - across) * n * e;
   Eigen::Matrix2d grown;  // by element: exactly symmetric
   grown << along * n * n + across * e * e + white, ne, ne, along * e * e + across * n * n + white;
-  return P0_ + grown;
+  return grown;
 }
 
 }  // namespace leadline::nav

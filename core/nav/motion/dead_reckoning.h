@@ -54,7 +54,9 @@ class DeadReckoning {
   /// Interpolated on the track; up to 3 s (or three intervals) beyond its end by the last velocity. Empty
   /// when the track does not reach there.
   [[nodiscard]] std::optional<Geodetic> position_at(Time t) const;
-  [[nodiscard]] Eigen::Matrix2d covariance() const;
+  [[nodiscard]] Eigen::Matrix2d covariance() const { return P0_ + grown(); }
+  /// What covariance() has grown by since the last accepted fix.
+  [[nodiscard]] Eigen::Matrix2d grown() const;
   [[nodiscard]] const Eigen::Vector2d& last_velocity() const { return last_.v_ne; }
   [[nodiscard]] std::optional<Time> last_heard() const { return intervals_.last(); }
 

@@ -90,6 +90,13 @@ TEST(PlainCi, GateGrowsWithTheWayAndTheTimeSinceTheLastAcceptedFix) {
   EXPECT_DOUBLE_EQ(filter.fix({0.0, 0.0}, 1000.0, kGamma_m).gate_m, 15.0);
 }
 
+TEST(PlainCi, ADeclaredSigmaBeyondTheDriftWidensGateAndCovariance) {
+  PlainCi filter(5.0), declared(5.0);
+  EXPECT_NEAR(declared.fix({0.0, 0.0}, 1.0, 5.0, 12.0).gate_m, 3.0 * 13.0, 1e-12);
+  filter.fix({0.0, 0.0}, 1.0, 5.0, 0.0);
+  EXPECT_GT(declared.P()(0, 0), filter.P()(0, 0));
+}
+
 TEST(PlainCi, GateFollowsEachFixesOwnSigma) {
   PlainCi filter(kGamma_m);
   EXPECT_FALSE(filter.fix({4.0, 0.0}, 0.0, 1.0).accepted);

@@ -7,6 +7,7 @@
 #include "core/config/document.h"
 #include "core/config/render.h"
 #include "core/decode/registry.h"
+#include "core/nav/engines/registry.h"
 
 namespace leadline::app {
 namespace {
@@ -72,7 +73,7 @@ void check_names(config::Table& root, const Configuration& configuration) {
   }
 }
 
-void check_initial(config::Table& initial, const nav::InitialOptions& options) {
+void check_initial(config::Table& initial, const InitialOptions& options) {
   if (options.lat_deg.has_value() != options.lon_deg.has_value())
     initial.report(options.lat_deg ? "lat_deg" : "lon_deg", "needs both lat_deg and lon_deg");
   if (options.depth_m && options.ellipsoid_height_m)
@@ -103,12 +104,14 @@ LoadedConfiguration load_configuration(const std::string& path) {
     root.table("vehicle").read(bind(vehicle_keys(), vehicle));
     c.vehicle = vehicle.name;
     auto navigation = root.table("navigation");
-    navigation.read(bind(nav::navigation_keys(), c.navigation.navigation));
+    navigation.read(bind(navigation_keys(), c.navigation.navigation));
+    const auto made = nav::make_engine(c.navigation.navigation.engine, {});
+    if (!made) navigation.report("engine", made.error().what + "; " + made.error().remedy);
     navigation.table("fusion").read(bind(nav::fusion_keys(), c.navigation.fusion));
-    navigation.table("aiding").read(bind(nav::aiding_keys(), c.navigation.aiding));
+    navigation.table("aiding").read(bind(aiding_keys(), c.navigation.aiding));
     navigation.table("imu").read(bind(nav::imu_keys(), c.navigation.imu));
     auto initial = navigation.table("initial");
-    initial.read(bind(nav::initial_keys(), c.navigation.initial));
+    initial.read(bind(initial_keys(), c.navigation.initial));
     check_initial(initial, c.navigation.initial);
     for (auto& table : root.tables("source")) c.sources.push_back(read_source(table));
     if (c.sources.empty()) root.report("source", "there is no [[source]]; give one for each instrument");
@@ -136,12 +139,12 @@ std::string example_configuration() {
   std::string text = "# A Leadline configuration: every key with its default.\n";
   text += config::render("", bind(file_keys(), file));
   text += "\n" + config::render("[vehicle]", bind(vehicle_keys(), vehicle));
-  text += "\n" + config::render("[navigation]", bind(nav::navigation_keys(), navigation.navigation));
+  text += "\n" + config::render("[navigation]", bind(navigation_keys(), navigation.navigation));
   text += "\n" + config::render("[navigation.fusion]", bind(nav::fusion_keys(), navigation.fusion));
   text += "\n# One sigma a sample where the telegram does not say better; a telegram's own wins.\n";
-  text += config::render("[navigation.aiding]", bind(nav::aiding_keys(), navigation.aiding));
+  text += config::render("[navigation.aiding]", bind(aiding_keys(), navigation.aiding));
   text += "\n# When a position is given here the engines start from it, else from the first fix.\n";
-  text += config::render("[navigation.initial]", bind(nav::initial_keys(), navigation.initial));
+  text += config::render("[navigation.initial]", bind(initial_keys(), navigation.initial));
   text +=
       "\n# One [[source]] for each instrument; the first of several alike is preferred while it is alive.\n";
   text += config::render("[[source]]", bind(source_keys(), gnss));

@@ -1,0 +1,51 @@
+#include "app/graph.h"
+
+#include <algorithm>
+
+#include "app/magnetic_models.h"
+#include "core/decode/registry.h"
+#include "core/nav/engines/registry.h"
+#include "core/nav/engines/ship_track.h"
+
+namespace leadline::app {
+
+Result<Graph> make_graph(const Configuration& configuration, std::vector<std::string> engine_names) {
+  Graph graph;
+  graph.engine_names = std::move(engine_names);
+  if (graph.engine_names.empty()) graph.engine_names.push_back(configuration.navigation.navigation.engine);
+
+  auto models = load_magnetic_models();
+  const bool needed = std::any_of(
+      configuration.sources.begin(), configuration.sources.end(),
+      [](const auto& s) { return s.options.heading == "magnetic" && !s.options.declination_deg; });
+  if (models)
+    graph.magnetic = std::make_unique<geo::MagneticModel>(std::move(models).value());
+  else if (needed)
+    graph.magnetic_error = models.error();
+
+  graph.bus = std::make_unique<Bus>(source_infos(configuration));
+  for (SourceId id = 0; id < configuration.sources.size(); ++id) {
+    const auto& source = configuration.sources[id];
+    auto decoder =
+        decode::make_decoder(source.options.decoder, decoder_settings(source.options), source.table);
+    if (!decoder) return decoder.error();
+    graph.bus->attach(id, std::move(decoder).value());
+  }
+
+  nav::EngineSetup setup;
+  setup.body = configuration.navigation.navigation.body == "ship" ? Body::ship : Body::vehicle;
+  setup.options = configuration.navigation;
+  setup.sources = graph.bus->sources();
+  setup.magnetic = graph.magnetic.get();
+  for (const auto& name : graph.engine_names) {
+    setup.id = static_cast<EngineId>(graph.engines.size());
+    auto engine = nav::make_engine(name, setup);
+    if (!engine) return engine.error();
+    graph.engines.push_back(std::move(engine).value());
+  }
+  graph.engines.push_back(std::make_unique<nav::ShipTrack>(setup.sources, setup.options, setup.magnetic));
+  for (auto& engine : graph.engines) graph.bus->attach(*engine);
+  return graph;
+}
+
+}  // namespace leadline::app

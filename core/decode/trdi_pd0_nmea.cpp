@@ -207,8 +207,10 @@ constexpr std::array<BinaryForm, 3> kBinaryForms = {{{104, "NMEA GGA", "GGA", re
                                                      {105, "NMEA VTG", "VTG", read_binary_vtg},
                                                      {106, "NMEA DBT", "DBT", read_binary_dbt}}};
 
-/// Header in hand: checks that the body is there and begins as a sentence does, else refuses it for `no_sentence`.
-bool open_body(Bytes type, std::size_t header, int size, std::string_view no_sentence, Pd0Nmea& block, Bytes& body) {
+/// Header in hand: checks that the body is there and begins as a sentence does, else refuses it for
+/// `no_sentence`.
+bool open_body(Bytes type, std::size_t header, int size, std::string_view no_sentence, Pd0Nmea& block,
+               Bytes& body) {
   block.length = type.size();
   if (size <= 0 || header + static_cast<std::size_t>(size) > type.size()) {
     refuse(block, "nmea size");
@@ -262,8 +264,7 @@ Pd0Nmea read_older(Bytes type) {
   block.kind = "NMEA text";
   Bytes body;
   const int size = type.size() < kOldHeaderBytes ? 0 : le_i16(type, 2);
-  if (open_body(type, kOldHeaderBytes, size, "nmea text", block, body))
-    read_text(body, block);
+  if (open_body(type, kOldHeaderBytes, size, "nmea text", block, body)) read_text(body, block);
   return block;
 }
 

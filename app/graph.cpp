@@ -24,8 +24,9 @@ Result<Graph> make_graph(const Configuration& configuration, std::vector<std::st
     graph.magnetic_error = models.error();
 
   graph.bus = std::make_unique<Bus>(source_infos(configuration));
-  for (SourceId id = 0; id < configuration.sources.size(); ++id) {
-    const auto& source = configuration.sources[id];
+  for (std::size_t i = 0; i < configuration.sources.size(); ++i) {
+    const auto id = static_cast<SourceId>(i);
+    const auto& source = configuration.sources[i];
     auto decoder =
         decode::make_decoder(source.options.decoder, decoder_settings(source.options), source.table);
     if (!decoder) return decoder.error();

@@ -109,7 +109,8 @@ void Bus::take(const Chunk& chunk) {
 }
 
 void Bus::finish() {
-  for (SourceId id = 0; id < decoders_.size(); ++id) {
+  for (std::size_t i = 0; i < decoders_.size(); ++i) {
+    const auto id = static_cast<SourceId>(i);
     if (!decoders_[id]) continue;
     Output out(*this, id, ledgers_[id]);
     decoders_[id]->finish(out);

@@ -168,6 +168,7 @@ bool is_table(const std::vector<std::string_view>& lines) {
       if (line[0] != '%') rows.push_back(split(line, separator));
     if (rows.empty()) continue;
     std::vector<std::size_t> counts;
+    counts.reserve(rows.size());
     for (const Row& row : rows) counts.push_back(row.fields);
     std::nth_element(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2),
                      counts.end());

@@ -49,7 +49,7 @@ Vector2d ConstantVelocity::predict(double dt_s) {
   Matrix4d F = Matrix4d::Identity();
   F.topRightCorner<2, 2>() = isotropic(dt_s);
   P_ = symmetric(F * P_ * F.transpose() + process_noise(dt_s));
-  const Vector2d displacement = v_ * dt_s;
+  Vector2d displacement = v_ * dt_s;
   if (streak_size_ > 0) {
     streak_s_ += dt_s;
     moved_ += displacement;

@@ -34,7 +34,7 @@ void RejectedFixes::push(double t_s, const Eigen::Vector2d& e, double gamma_m) {
 
 std::optional<RejectedFixes::Agreement> RejectedFixes::agreement(const Eigen::Vector2d& correction,
                                                                  const DriftSinceFix& drift) const {
-  if (const auto few = agreement_of(kShort)) {
+  if (auto few = agreement_of(kShort)) {
     const double believable_m = 3.0 * entries_[static_cast<std::size_t>(size_ - 1)].gamma_m +
                                 0.05 * drift.distance_m + 0.05 * drift.since_s;
     if ((few->e - correction).norm() <= believable_m) return few;
@@ -49,9 +49,10 @@ std::optional<RejectedFixes::Agreement> RejectedFixes::agreement_of(int n) const
 
   std::array<double, kKept> north{}, east{};
   for (int i = 0; i < used; ++i) {
-    const auto& e = entries_[static_cast<std::size_t>(first + i)].e;
-    north[static_cast<std::size_t>(i)] = e.x();
-    east[static_cast<std::size_t>(i)] = e.y();
+    const auto at = static_cast<std::size_t>(i);
+    const auto& e = entries_[static_cast<std::size_t>(first) + at].e;
+    north[at] = e.x();
+    east[at] = e.y();
   }
   const Eigen::Vector2d middle{median(north, used), median(east, used)};
 

@@ -33,6 +33,21 @@ function(leadline_library name)
   target_link_libraries(${name} PUBLIC leadline_flags ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
 endfunction()
 
+# leadline_core_part(core_flow SOURCES a.cpp PRIVATE_LINKS fmt::fmt): one folder of libleadline-core.so. The
+# name then stands for the whole library; core_flow_part is the folder's objects alone.
+function(leadline_core_part name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PRIVATE_LINKS" ${ARGN})
+  add_library(${name} ALIAS leadline-core)
+  if(ARG_SOURCES)
+    add_library(${name}_part OBJECT ${ARG_SOURCES})
+    target_link_libraries(${name}_part PUBLIC leadline_flags Eigen3::Eigen ${ARG_PRIVATE_LINKS})
+    # Calls inside the library stay as direct as they were in a static one.
+    target_compile_options(${name}_part PRIVATE -fno-semantic-interposition)
+    target_sources(leadline-core PRIVATE $<TARGET_OBJECTS:${name}_part>)
+    target_link_libraries(leadline-core PRIVATE ${ARG_PRIVATE_LINKS})
+  endif()
+endfunction()
+
 # leadline_test(unit_core_geo SOURCES ... LINKS ...): one GoogleTest binary for one folder.
 function(leadline_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})

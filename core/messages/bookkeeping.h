@@ -34,6 +34,15 @@ struct Health {
   bool operator==(const Health&) const = default;
 };
 
+/// Something the operator must know of and act upon. Priorities as in IEC 62923-1.
+struct Alarm {
+  enum class Priority : std::uint8_t { caution, warning, alarm, emergency };
+  Priority priority = Priority::warning;
+  Text<24> reason;  ///< one of a few fixed words: "exception", "blocked", "not finite", ...
+  Text<200> text;   ///< what happened to whom, and what was done
+  bool operator==(const Alarm&) const = default;
+};
+
 /// Every 100 ms of arrival time; time-outs happen on these only.
 struct Tick {
   Arrival at;

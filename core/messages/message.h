@@ -11,7 +11,7 @@
 namespace leadline {
 
 /// Every kind of fact there is. Closed: who reads messages is told by the compiler of a new kind.
-using Message = std::variant<RawFrame, Rejected, Health, Tick, ClockReading, GnssFix, Course, Heading,
+using Message = std::variant<RawFrame, Rejected, Health, Alarm, Tick, ClockReading, GnssFix, Course, Heading,
                              Attitude, Rates, ImuSample, DvlVelocity, BeamRanges, AltitudeAboveBottom,
                              DepthMeasured, BottomDepth, Pressure, SoundSpeed, UsblRelative, UsblGeographic,
                              UsblGrid, Solution, FixVerdict, ModeChange>;

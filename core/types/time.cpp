@@ -90,7 +90,8 @@ Time from_unix(double unix_s) {
 
 double to_unix(Time t) {
   // Whole seconds apart: nanoseconds since 1970 do not fit a double's 53 bits.
-  return static_cast<double>(t.ns / kNsPerSecond) + static_cast<double>(t.ns % kNsPerSecond) * 1e-9;
+  const std::int64_t whole = t.ns / kNsPerSecond, rest = t.ns % kNsPerSecond;
+  return static_cast<double>(whole) + static_cast<double>(rest) * 1e-9;
 }
 
 std::string iso8601(Time time, int decimals) {

@@ -7,7 +7,6 @@
 #include "core/config/document.h"
 #include "core/config/render.h"
 #include "core/decode/registry.h"
-#include "core/nav/engines/registry.h"
 
 namespace leadline::app {
 namespace {
@@ -39,7 +38,7 @@ bool good_name(const std::string& name) {
   });
 }
 
-SourceConfiguration read_source(config::Table table) {
+SourceConfiguration read_source(config::Table table, const PluginHost& plugins) {
   SourceConfiguration source;
   auto& options = source.options;
   table.read(bind(source_keys(), options));
@@ -47,17 +46,24 @@ SourceConfiguration read_source(config::Table table) {
   mount.read(bind(mount_keys(), source.mount));
   if (table.require("name") && !good_name(options.name))
     table.report("name", "may hold letters, digits, _ - and . only, 64 at most");
-  if (!options.date.empty() && !parse_date(options.date))
-    table.report("date", "is no date; write \"YYYY-MM-DD\"");
   if (!table.require("decoder")) return source;
   if (options.decoder == "table") table.read(bind(decode::table_keys(), source.table));
-  const auto decoder = decode::make_decoder(options.decoder, decoder_settings(options), source.table);
+  source.plugin = plugins.source_settings(options.decoder);
+  if (source.plugin) table.read(source.plugin->keys());
+  const auto decoder = decoder_of(source, plugins, decoder_settings(options));
   if (!decoder) {
     const Error& e = decoder.error();
     table.report(options.decoder == "table" ? "columns" : "decoder",
                  e.what + (e.remedy.empty() ? "" : "; " + e.remedy));
   }
   return source;
+}
+
+void check_engine(config::Table& navigation, const std::string& engine, const PluginHost& plugins) {
+  if (plugins.has_engine(engine)) return;
+  std::string known;
+  for (const auto& offer : plugins.engines()) known += (known.empty() ? "" : ", ") + offer.name;
+  navigation.report("engine", "no engine is called \"" + engine + "\"; this build has " + known);
 }
 
 void check_names(config::Table& root, const Configuration& configuration) {
@@ -88,32 +94,29 @@ Body body_named(const std::string& name) {
   return name == "ship" ? Body::ship : name == "target" ? Body::target : Body::vehicle;
 }
 
-}  // namespace
-
-LoadedConfiguration load_configuration(const std::string& path) {
+LoadedConfiguration read(config::Document document, const std::string& file, const PluginHost& plugins) {
   LoadedConfiguration loaded;
   Configuration& c = loaded.configuration;
-  c.file = path;
-  auto document = config::Document::load(path);
+  c.file = file;
+  c.text = document.text();
+  c.engine_tables = plugins.engine_tables();
   if (document.ok()) {
     auto root = document.root();
-    FileOptions file;
+    FileOptions options;
     VehicleOptions vehicle;
-    root.read(bind(file_keys(), file));
+    root.read(bind(file_keys(), options));
     root.require("version");
     root.table("vehicle").read(bind(vehicle_keys(), vehicle));
     c.vehicle = vehicle.name;
     auto navigation = root.table("navigation");
     navigation.read(bind(navigation_keys(), c.navigation.navigation));
-    const auto made = nav::make_engine(c.navigation.navigation.engine, {});
-    if (!made) navigation.report("engine", made.error().what + "; " + made.error().remedy);
-    navigation.table("fusion").read(bind(nav::fusion_keys(), c.navigation.fusion));
+    check_engine(navigation, c.navigation.navigation.engine, plugins);
     navigation.table("aiding").read(bind(aiding_keys(), c.navigation.aiding));
-    navigation.table("imu").read(bind(nav::imu_keys(), c.navigation.imu));
+    for (const auto& table : c.engine_tables.tables()) navigation.table(table.path).read(table.keys);
     auto initial = navigation.table("initial");
     initial.read(bind(initial_keys(), c.navigation.initial));
     check_initial(initial, c.navigation.initial);
-    for (auto& table : root.tables("source")) c.sources.push_back(read_source(table));
+    for (auto& table : root.tables("source")) c.sources.push_back(read_source(table, plugins));
     if (c.sources.empty()) root.report("source", "there is no [[source]]; give one for each instrument");
     for (auto& table : root.tables("calibration")) {
       table.read(bind(calibration_keys(), c.calibrations.emplace_back()));
@@ -126,10 +129,28 @@ LoadedConfiguration load_configuration(const std::string& path) {
   return loaded;
 }
 
-std::string example_configuration() {
+}  // namespace
+
+LoadedConfiguration load_configuration(const std::string& path, const PluginHost& plugins) {
+  return read(config::Document::load(path), path, plugins);
+}
+
+LoadedConfiguration parse_configuration(const std::string& text, const std::string& file,
+                                        const PluginHost& plugins) {
+  return read(config::Document::parse(text, file), file, plugins);
+}
+
+Result<std::unique_ptr<Decoder>> decoder_of(const SourceConfiguration& source, const PluginHost& plugins,
+                                            const DecoderSettings& settings) {
+  if (source.plugin) return plugins.make_decoder(source.options.decoder, settings, source.plugin);
+  return decode::make_decoder(source.options.decoder, settings, source.table);
+}
+
+std::string example_configuration(const PluginHost& plugins) {
   FileOptions file;
   VehicleOptions vehicle{"MDV-1"};
-  nav::Options navigation;
+  NavigationSettings navigation;
+  const EngineTables engine_tables = plugins.engine_tables();
   SourceOptions gnss{.name = "gnss", .decoder = "nmea0183", .body = "ship"};
   SourceOptions dvl{.name = "dvl", .decoder = "trdi-pd0"};
   SourceOptions rows{.name = "log", .decoder = "table"};
@@ -140,7 +161,8 @@ std::string example_configuration() {
   text += config::render("", bind(file_keys(), file));
   text += "\n" + config::render("[vehicle]", bind(vehicle_keys(), vehicle));
   text += "\n" + config::render("[navigation]", bind(navigation_keys(), navigation.navigation));
-  text += "\n" + config::render("[navigation.fusion]", bind(nav::fusion_keys(), navigation.fusion));
+  for (const auto& own : engine_tables.tables())
+    text += "\n" + config::render("[navigation." + own.path + "]", own.keys);
   text += "\n# One sigma a sample where the telegram does not say better; a telegram's own wins.\n";
   text += config::render("[navigation.aiding]", bind(aiding_keys(), navigation.aiding));
   text += "\n# When a position is given here the engines start from it, else from the first fix.\n";
@@ -171,7 +193,7 @@ DecoderSettings decoder_settings(const SourceOptions& options) {
 
 std::vector<SourceInfo> source_infos(const Configuration& configuration) {
   std::vector<SourceInfo> infos;
-  for (const auto& [options, mount, table] : configuration.sources) {
+  for (const auto& [options, mount, table, plugin] : configuration.sources) {
     SourceInfo info;
     info.id = static_cast<SourceId>(infos.size());
     info.name = options.name;

@@ -10,6 +10,7 @@
 #include "core/links/stream_source.h"
 #include "core/links/stream_times.h"
 #include "core/links/tlog_source.h"
+#include "sessions/replay/session_source.h"
 
 namespace leadline::app {
 namespace {
@@ -128,7 +129,7 @@ void run(Source& source, const std::vector<Named>& named, bool timed, FileAccoun
   }
   Bus bus(std::move(infos));
   for (std::size_t i = 0; i < named.size(); ++i)
-    bus.attach(static_cast<SourceId>(i), lenient_decoder(named[i].decoder));
+    if (!named[i].decoder.empty()) bus.attach(static_cast<SourceId>(i), lenient_decoder(named[i].decoder));
   Extent extent;
   bus.attach(extent);
   for (Chunk chunk; source.next(chunk);) bus.take(chunk);
@@ -153,6 +154,36 @@ std::optional<Error> read_stream(FileReader file, const Named& named, FileAccoun
                              timed ? std::move(stamps).value() : std::vector<links::Stamp>());
   run(source, {named}, timed, account);
   return source.failure();
+}
+
+/// A session: the frames of its recording through the decoders it was recorded with, as far as this build has
+/// them; everything else in the file is what keeps them.
+std::optional<Error> read_session(const std::string& path, FileAccount& account) {
+  auto session = sessions::Session::open(path, sessions::Access::read);
+  if (!session) return session.error();
+  const auto runs = session.value().runs();
+  if (!runs) return runs.error();
+  std::vector<Named> named;
+  std::vector<sessions::NamedSource> names;
+  for (const auto& run : runs.value()) {
+    const auto sources = session.value().sources(run.id);
+    if (!sources) return sources.error();
+    for (const auto& source : sources.value()) {
+      const auto same = [&](const Named& n) { return n.name == source.info.name; };
+      if (std::any_of(named.begin(), named.end(), same)) continue;
+      const bool known = source.decoder == "nmea0183" || source.decoder == "trdi-pd0";
+      names.push_back({source.info.name, static_cast<SourceId>(named.size())});
+      named.push_back({source.info.name, known ? source.decoder : ""});
+    }
+  }
+  auto frames = sessions::SessionSource::open(std::move(session).value(), std::move(names));
+  if (!frames) return frames.error();
+  run(frames.value(), named, true, account);
+  std::uint64_t counted = 0;
+  for (const auto bytes : account.byte_classes) counted += bytes;
+  account.byte_classes[static_cast<std::size_t>(ByteClass::stamp)] +=
+      account.bytes > counted ? account.bytes - counted : 0;
+  return frames.value().failure();
 }
 
 void count_lines(FileReader& file, FileAccount& account) {
@@ -198,6 +229,9 @@ Result<FileAccount> account_of(const std::string& path) {
     case FileKind::nmea:
       count_lines(file, account);
       failure = read_stream(std::move(file), {stem(path), "nmea0183"}, account);
+      break;
+    case FileKind::session:
+      failure = read_session(path, account);
       break;
     case FileKind::trdi_pd0:
       failure = read_stream(std::move(file), {stem(path), "trdi-pd0"}, account);

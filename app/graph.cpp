@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "app/magnetic_models.h"
-#include "core/decode/registry.h"
-#include "core/nav/engines/registry.h"
-#include "core/nav/engines/ship_track.h"
 
 namespace leadline::app {
 
-Result<Graph> make_graph(const Configuration& configuration, std::vector<std::string> engine_names) {
+Result<Graph> make_graph(const Configuration& configuration, const PluginHost& plugins,
+                         std::vector<std::string> engine_names) {
   Graph graph;
   graph.engine_names = std::move(engine_names);
   if (graph.engine_names.empty()) graph.engine_names.push_back(configuration.navigation.navigation.engine);
@@ -19,7 +17,7 @@ Result<Graph> make_graph(const Configuration& configuration, std::vector<std::st
       configuration.sources.begin(), configuration.sources.end(),
       [](const auto& s) { return s.options.heading == "magnetic" && !s.options.declination_deg; });
   if (models)
-    graph.magnetic = std::make_unique<geo::MagneticModel>(std::move(models).value());
+    graph.magnetic = std::make_shared<const geo::MagneticModel>(std::move(models).value());
   else if (needed)
     graph.magnetic_error = models.error();
 
@@ -27,24 +25,25 @@ Result<Graph> make_graph(const Configuration& configuration, std::vector<std::st
   for (std::size_t i = 0; i < configuration.sources.size(); ++i) {
     const auto id = static_cast<SourceId>(i);
     const auto& source = configuration.sources[i];
-    auto decoder =
-        decode::make_decoder(source.options.decoder, decoder_settings(source.options), source.table);
+    auto decoder = decoder_of(source, plugins, decoder_settings(source.options));
     if (!decoder) return decoder.error();
     graph.bus->attach(id, std::move(decoder).value());
   }
 
-  nav::EngineSetup setup;
+  EngineSetup setup;
   setup.body = configuration.navigation.navigation.body == "ship" ? Body::ship : Body::vehicle;
-  setup.options = configuration.navigation;
+  setup.common = configuration.navigation;
   setup.sources = graph.bus->sources();
-  setup.magnetic = graph.magnetic.get();
   for (const auto& name : graph.engine_names) {
     setup.id = static_cast<EngineId>(graph.engines.size());
-    auto engine = nav::make_engine(name, setup);
+    auto engine = plugins.make_engine(name, configuration.engine_tables, setup, graph.magnetic);
     if (!engine) return engine.error();
     graph.engines.push_back(std::move(engine).value());
   }
-  graph.engines.push_back(std::make_unique<nav::ShipTrack>(setup.sources, setup.options, setup.magnetic));
+  setup.id = kShipTrack;
+  auto ship = plugins.make_ship_track(configuration.engine_tables, setup, graph.magnetic);
+  if (!ship) return ship.error();
+  graph.engines.push_back(std::move(ship).value());
   for (auto& engine : graph.engines) graph.bus->attach(*engine);
   return graph;
 }

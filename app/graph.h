@@ -13,7 +13,7 @@ namespace leadline::app {
 /// A configuration made to run: the bus with a decoder for each source, the engines in the order of their
 /// names, and the ship's own track. Sinks are attached by whoever runs it.
 struct Graph {
-  std::unique_ptr<geo::MagneticModel> magnetic;  ///< null: there is none; then see `magnetic_error`
+  std::shared_ptr<const geo::MagneticModel> magnetic;  ///< null: there is none; then see `magnetic_error`
   std::optional<Error> magnetic_error;  ///< set when a magnetic heading needs the model that is missing
   std::unique_ptr<Bus> bus;
   std::vector<std::unique_ptr<Engine>> engines;
@@ -21,7 +21,7 @@ struct Graph {
 };
 
 /// engine_names: none given, the configured one. Error: an engine this build does not have.
-[[nodiscard]] Result<Graph> make_graph(const Configuration& configuration,
+[[nodiscard]] Result<Graph> make_graph(const Configuration& configuration, const PluginHost& plugins,
                                        std::vector<std::string> engine_names);
 
 }  // namespace leadline::app

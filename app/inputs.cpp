@@ -39,16 +39,18 @@ std::optional<SourceId> source_named(const Configuration& c, std::string_view na
   return std::nullopt;
 }
 
-/// What one instrument's stream may look like for its decoder.
+/// What one instrument's stream may look like for its decoder; of a plugin's decoder nothing is known.
 bool suits(const std::string& decoder, FileKind kind) {
   if (decoder == "trdi-pd0") return kind == FileKind::trdi_pd0;
   if (decoder == "nmea0183") return kind == FileKind::nmea || kind == FileKind::text;
-  return kind == FileKind::table || kind == FileKind::text || kind == FileKind::nmea;
+  if (decoder == "table") return kind == FileKind::table || kind == FileKind::text || kind == FileKind::nmea;
+  return true;
 }
 
 /// One instrument's bytes: a stamped text, or its plain stream with the times found inside.
 std::optional<InputError> open_instrument(links::FileReader file, FileKind kind, SourceId id,
-                                          const Configuration& c, OpenInput& input) {
+                                          const Configuration& c, const PluginHost& plugins,
+                                          OpenInput& input) {
   const SourceConfiguration& source = c.sources[id];
   if (kind == FileKind::stamped_text) {
     auto stamped = std::make_unique<links::StampedTextSource>(std::move(file), id);
@@ -70,7 +72,7 @@ std::optional<InputError> open_instrument(links::FileReader file, FileKind kind,
   const auto maker = [&](std::optional<Time> date) {
     DecoderSettings settings = decoder_settings(source.options);
     if (date) settings.date = date;
-    return decode::make_decoder(source.options.decoder, settings, source.table).value();
+    return decoder_of(source, plugins, settings).value();
   };
   auto stamps = links::stream_times(file, maker, options);
   if (!stamps) return InputError{file.failure() ? Exit::failed : Exit::misused, stamps.error()};
@@ -79,8 +81,25 @@ std::optional<InputError> open_instrument(links::FileReader file, FileKind kind,
   return std::nullopt;
 }
 
-std::optional<InputError> open_one(const Argument& argument, const Configuration& c, OpenInput& input,
-                                   bool& empty) {
+/// A session: every frame of its first kind of run, at the arrivals they were heard at.
+std::optional<InputError> open_session(const Configuration& c, OpenInput& input) {
+  auto session = sessions::Session::open(input.path, sessions::Access::read);
+  if (!session) return InputError{Exit::failed, session.error()};
+  std::vector<sessions::NamedSource> names;
+  for (std::size_t i = 0; i < c.sources.size(); ++i) {
+    names.push_back({c.sources[i].options.name, static_cast<SourceId>(i)});
+    input.stamped_ids.push_back(static_cast<SourceId>(i));
+  }
+  auto source = sessions::SessionSource::open(std::move(session).value(), std::move(names));
+  if (!source) return InputError{Exit::failed, source.error()};
+  auto kept = std::make_unique<sessions::SessionSource>(std::move(source).value());
+  input.session = kept.get();
+  input.source = std::move(kept);
+  return std::nullopt;
+}
+
+std::optional<InputError> open_one(const Argument& argument, const Configuration& c,
+                                   const PluginHost& plugins, OpenInput& input, bool& empty) {
   input.path = argument.path;
   auto opened = links::FileReader::open(argument.path);
   if (!opened) return InputError{Exit::failed, opened.error()};
@@ -88,6 +107,7 @@ std::optional<InputError> open_one(const Argument& argument, const Configuration
   const FileKind kind = links::sniff(file.peek(links::kSniffBytes), file.size());
   empty = kind == FileKind::empty;
   if (empty) return std::nullopt;
+  if (kind == FileKind::session) return open_session(c, input);
   if (kind == FileKind::tlog) {
     std::vector<links::SourceName> names;
     for (std::size_t i = 0; i < c.sources.size(); ++i) {
@@ -108,12 +128,13 @@ std::optional<InputError> open_one(const Argument& argument, const Configuration
     return misuse(argument.path, std::string("holds ") + name_of(kind) + " of one instrument; which?",
                   "write source=" + argument.path + " with one of " + source_list(c));
   }
-  return open_instrument(std::move(file), kind, *id, c, input);
+  return open_instrument(std::move(file), kind, *id, c, plugins, input);
 }
 
 }  // namespace
 
-Inputs open_inputs(const std::vector<std::string>& arguments, const Configuration& c) {
+Inputs open_inputs(const std::vector<std::string>& arguments, const Configuration& c,
+                   const PluginHost& plugins) {
   Inputs inputs;
   for (const auto& text : arguments) {
     Argument argument{text, std::nullopt};
@@ -129,7 +150,7 @@ Inputs open_inputs(const std::vector<std::string>& arguments, const Configuratio
     }
     OpenInput input;
     bool empty = false;
-    if (auto error = open_one(argument, c, input, empty))
+    if (auto error = open_one(argument, c, plugins, input, empty))
       inputs.errors.push_back(std::move(*error));
     else if (empty)
       inputs.empty.push_back(argument.path);
@@ -137,6 +158,15 @@ Inputs open_inputs(const std::vector<std::string>& arguments, const Configuratio
       inputs.open.push_back(std::move(input));
   }
   return inputs;
+}
+
+std::optional<std::string> session_among(const std::vector<std::string>& arguments) {
+  for (const auto& path : arguments) {
+    auto file = links::FileReader::open(path);
+    if (file && links::sniff(file.value().peek(links::kSniffBytes), file.value().size()) == FileKind::session)
+      return path;
+  }
+  return std::nullopt;
 }
 
 }  // namespace leadline::app

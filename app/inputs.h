@@ -8,6 +8,7 @@
 #include "app/exit_status.h"
 #include "core/flow/source.h"
 #include "core/links/tlog_source.h"
+#include "sessions/replay/session_source.h"
 
 namespace leadline::app {
 
@@ -23,6 +24,7 @@ struct OpenInput {
   std::unique_ptr<Source> source;
   const links::TlogSource* tlog = nullptr;            ///< to ask for unknown names at the end
   const links::StampedLineSource* stamped = nullptr;  ///< to ask for backward stamps
+  const sessions::SessionSource* session = nullptr;   ///< to ask how it ended
   std::vector<SourceId> stamped_ids;                  ///< sources whose arrivals come from the log
 };
 
@@ -34,6 +36,8 @@ struct Inputs {
   std::vector<InputError> errors;
 };
 [[nodiscard]] Inputs open_inputs(const std::vector<std::string>& arguments,
-                                 const Configuration& configuration);
+                                 const Configuration& configuration, const PluginHost& plugins);
+/// The first of the arguments that is a session file; empty when none is.
+[[nodiscard]] std::optional<std::string> session_among(const std::vector<std::string>& arguments);
 
 }  // namespace leadline::app

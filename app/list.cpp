@@ -3,30 +3,38 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <utility>
 #include <vector>
 
 #include "core/decode/registry.h"
-#include "core/nav/engines/registry.h"
 
 namespace leadline::app {
 
-Exit list(const std::string& what, bool json) {
-  std::vector<std::pair<std::string_view, std::string_view>> entries;
+Exit list(const std::string& what, const PluginHost& plugins, bool json) {
+  struct Entry {
+    std::string name, help, plugin;
+  };
+  std::vector<Entry> entries;
   if (what == "engines") {
-    for (const auto& engine : nav::engines()) entries.emplace_back(engine.name, engine.help);
+    for (const auto& engine : plugins.engines()) entries.push_back({engine.name, engine.help, engine.plugin});
   } else if (what == "decoders") {
-    for (const auto& decoder : decode::decoders()) entries.emplace_back(decoder.name, decoder.help);
+    for (const auto& decoder : decode::decoders())
+      entries.push_back({std::string(decoder.name), std::string(decoder.help), ""});
+    for (const auto& decoder : plugins.decoders())
+      entries.push_back({decoder.name, decoder.help, decoder.plugin});
   } else {
-    entries.emplace_back("file",
-                         "a log or one instrument's bytes: INPUT or source=INPUT of `leadline replay`");
+    entries.push_back(
+        {"file", "a log or one instrument's bytes: INPUT or source=INPUT of `leadline replay`", ""});
   }
   if (json) {
     nlohmann::ordered_json j = nlohmann::ordered_json::array();
-    for (const auto& [name, help] : entries) j.push_back({{"name", name}, {"help", help}});
+    for (const auto& [name, help, plugin] : entries) {
+      j.push_back({{"name", name}, {"help", help}});
+      if (!plugin.empty()) j.back()["plugin"] = plugin;
+    }
     fmt::print("{}\n", j.dump(2));
   } else {
-    for (const auto& [name, help] : entries) fmt::print("{:<16} {}\n", name, help);
+    for (const auto& [name, help, plugin] : entries)
+      fmt::print("{:<16} {}{}\n", name, help, plugin.empty() ? "" : " [" + plugin + "]");
   }
   return Exit::done;
 }

@@ -5,19 +5,22 @@
 #include <exception>
 
 #include "app/configuration.h"
+#include "app/export.h"
 #include "app/info.h"
 #include "app/list.h"
+#include "app/plugins.h"
 #include "app/replay.h"
 #include "app/talk.h"
 
 namespace {
 
 using namespace leadline::app;
+using leadline::PluginHost;
 
 int status(Exit exit) { return static_cast<int>(exit); }
 
-Exit check_config(const std::string& path) {
-  const auto loaded = load_configuration(path);
+Exit check_config(const std::string& path, const PluginHost& plugins) {
+  const auto loaded = load_configuration(path, plugins);
   for (const auto& problem : loaded.problems) failure(problem);
   if (!loaded.problems.empty()) return Exit::misused;
   fmt::print("{}: ok, {} sources, engine {}\n", path, loaded.configuration.sources.size(),
@@ -39,6 +42,12 @@ int run(int argc, char** argv) {
   program.add_flag("--quiet", quiet, "say errors only");
   program.add_flag("--verbose", verbose, "say every change of availability");
   program.add_flag("--progress,!--no-progress", replaying.progress, "a bar; default: on a terminal");
+  program
+      .add_option("--plugin-path", replaying.plugin_paths,
+                  "a folder with more plugins; may be given several times")
+      ->type_name("DIR")
+      ->expected(1);
+  program.add_flag("--force", replaying.force, "replace an output that exists");
   program.add_option("--check-config", config_to_check, "check a configuration and leave")->type_name("FILE");
   program.add_flag("--example-config", example_config, "print a complete configuration and leave");
 
@@ -47,11 +56,12 @@ int run(int argc, char** argv) {
       ->add_option("INPUT", replaying.inputs,
                    "a log, or source=FILE for one instrument's bytes; several are one timeline")
       ->required();
-  replay_verb->add_option("--config", replaying.config, "the configuration (TOML)")
-      ->type_name("FILE")
-      ->required();
+  replay_verb->add_option("--config", replaying.config, "the configuration (TOML); a session carries its own")
+      ->type_name("FILE");
   replay_verb->add_option("--engine", replaying.engines, "which engine; may be given several times")
       ->type_name("NAME");
+  replay_verb->add_option("--session", replaying.session, "keep everything in this session file")
+      ->type_name("FILE");
   replay_verb
       ->add_option("--csv", replaying.csv, "write <engine>.csv, fixes.csv, ship.csv, summary.json there")
       ->type_name("DIR");
@@ -67,6 +77,16 @@ int run(int argc, char** argv) {
   info_verb->add_option("FILE", files, "logs")->required();
   info_verb->add_flag("--json", json, "as JSON");
   info_verb->footer("Example: leadline info --json winriver01.PD0");
+
+  ExportOptions exporting;
+  auto* export_verb = program.add_subcommand("export", "a session for other tools");
+  export_verb->add_option("SESSION", exporting.session, "a session file")->required();
+  export_verb->add_option("--format", exporting.format, "csv or tlog")
+      ->required()
+      ->check(CLI::IsMember({"csv", "tlog"}));
+  export_verb->add_option("--output", exporting.output, "tlog: a file, default stdout; csv: a folder")
+      ->type_name("F");
+  export_verb->footer("Example: leadline export dive.leadline --format tlog --output dive.tlog");
 
   std::string what;
   auto* list_verb = program.add_subcommand("list", "what this build offers");
@@ -89,13 +109,16 @@ int run(int argc, char** argv) {
   set_loudness(quiet ? Loudness::quiet : verbose ? Loudness::verbose : Loudness::normal);
 
   if (example_config) {
-    fmt::print("{}", example_configuration());
+    fmt::print("{}", example_configuration(load_plugins(replaying.plugin_paths)));
     return 0;
   }
-  if (!config_to_check.empty()) return status(check_config(config_to_check));
+  if (!config_to_check.empty())
+    return status(check_config(config_to_check, load_plugins(replaying.plugin_paths)));
   if (replay_verb->parsed()) return status(replay(replaying));
   if (info_verb->parsed()) return status(info(files, json));
-  if (list_verb->parsed()) return status(list(what, json));
+  if (list_verb->parsed()) return status(list(what, load_plugins(replaying.plugin_paths), json));
+  exporting.force = replaying.force;
+  if (export_verb->parsed()) return status(export_session(exporting));
   fmt::print(stderr, "{}", program.help());
   return status(Exit::misused);
 }

@@ -1,5 +1,6 @@
 #include "app/replay.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -9,7 +10,9 @@
 #include "app/inputs.h"
 #include "app/interrupt.h"
 #include "app/pace.h"
+#include "app/plugins.h"
 #include "app/progress.h"
+#include "app/recording.h"
 #include "app/replay_report.h"
 #include "app/talk.h"
 #include "core/links/merged_source.h"
@@ -35,6 +38,26 @@ std::optional<Exit> refuse(const Inputs& inputs) {
   return std::nullopt;
 }
 
+/// The --config, or what a session among the inputs was recorded with.
+Result<LoadedConfiguration> configuration_for(const ReplayOptions& options, const PluginHost& plugins) {
+  if (!options.config.empty()) return load_configuration(options.config, plugins);
+  const auto path = session_among(options.inputs);
+  if (!path)
+    return Error{"there is no configuration", "--config", "give one, or a session that carries its own"};
+  auto session = sessions::Session::open(*path, sessions::Access::read);
+  if (!session) return session.error();
+  const auto text = session.value().configuration();
+  if (!text) return text.error();
+  return parse_configuration(text.value(), *path + " (its configuration)", plugins);
+}
+
+bool is_input(const std::string& session, const std::vector<std::string>& inputs) {
+  std::error_code failed_to_ask;
+  return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+    return std::filesystem::equivalent(session, input, failed_to_ask);
+  });
+}
+
 Result<void> write_text(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text;
@@ -56,14 +79,17 @@ Exit replay(const ReplayOptions& options) {
   if (!speed)
     return failed({"\"" + options.speed + "\" is neither max nor a factor above 0", "--speed", ""},
                   Exit::misused);
-  const auto loaded = load_configuration(options.config);
+  const PluginHost plugins = load_plugins(options.plugin_paths);
+  const auto found = configuration_for(options, plugins);
+  if (!found) return failed(found.error(), Exit::misused);
+  const LoadedConfiguration& loaded = found.value();
   for (const auto& problem : loaded.problems) failure(problem);
   if (!loaded.problems.empty()) return Exit::misused;
   const Configuration& configuration = loaded.configuration;
 
-  Inputs inputs = open_inputs(options.inputs, configuration);
+  Inputs inputs = open_inputs(options.inputs, configuration, plugins);
   if (const auto exit = refuse(inputs)) return *exit;
-  auto made = make_graph(configuration, options.engines);
+  auto made = make_graph(configuration, plugins, options.engines);
   if (!made) return failed(made.error(), Exit::misused);
   Graph graph = std::move(made).value();
   if (graph.magnetic_error) warning(graph.magnetic_error->line());
@@ -79,6 +105,17 @@ Exit replay(const ReplayOptions& options) {
   }
   links::MergedSource merged(std::move(sources));
 
+  std::unique_ptr<sessions::Recorder> recorder;
+  if (!options.session.empty()) {
+    auto started = start_recording({.path = options.session,
+                                    .force = options.force,
+                                    .into_itself = is_input(options.session, options.inputs),
+                                    .engines = graph.engine_names},
+                                   configuration, plugins);
+    if (!started) return failed(started.error());
+    recorder = std::move(started).value();
+    bus.attach(*recorder);  // the first of the sinks: what was heard is its own before anybody reads it
+  }
   sessions::Summary summary(graph.engine_names, options.inputs, configuration.navigation.navigation.body,
                             stamped);
   Speaker speaker;
@@ -103,6 +140,9 @@ Exit replay(const ReplayOptions& options) {
   }
   bus.finish();
 
+  if (recorder) {
+    if (const auto kept = recorder->finish(); !kept) return failed(kept.error());
+  }
   const bool damaged = report_damage(bus, inputs);
   report_clocks(bus, summary);
   if (csv) {

@@ -15,6 +15,8 @@ void Speaker::take(const Envelope& envelope) {
       warning(line);
     else
       note(line);
+  } else if (const auto* alarm = std::get_if<Alarm>(&envelope.message)) {
+    failure("alarm: " + std::string(alarm->text.view()));
   } else if (const auto* change = std::get_if<ModeChange>(&envelope.message)) {
     constexpr const char* kNames[] = {"A", "B", "C", "D", "E1", "E0"};
     detail(fmt::format("{} availability {} -> {}: {}", iso8601(envelope.valid, 1),
@@ -37,6 +39,10 @@ bool report_damage(const Bus& bus, const Inputs& inputs) {
       note(fmt::format("{}: {} telegrams of unknown kinds", source.name, unknown));
   }
   for (const auto& input : inputs.open) {
+    if (input.session != nullptr && input.session->failure()) {
+      warning(input.session->failure()->line());
+      damaged = true;
+    }
     if (input.stamped != nullptr && input.stamped->backward_stamps() > 0)
       note(fmt::format("{}: {} stamps go back in time; they are taken as the latest before them", input.path,
                        input.stamped->backward_stamps()));

@@ -1,5 +1,7 @@
 #include "sessions/recorder/recorder.h"
 
+#include <utility>
+
 namespace leadline::sessions {
 namespace {
 
@@ -48,9 +50,10 @@ void Recorder::take(const Envelope& envelope) {
     gave_up_ = !kept;
   }
   if (!kept) ++(frame ? frames_left_out_ : facts_left_out_);
-  const bool plenty = queue_.bytes() > queue_.most_bytes() / 8;
+  if (std::holds_alternative<Alarm>(envelope.message)) urgent_ = true;
+  const bool pressing = urgent_ || queue_.bytes() > queue_.most_bytes() / 8;
   lock.unlock();
-  if (plenty) work_.notify_one();
+  if (pressing) work_.notify_one();
 }
 
 void Recorder::event(Severity severity, std::string kind, std::string text) {
@@ -130,17 +133,19 @@ Result<void> Recorder::write_batch(Sync sync, const std::vector<Event>& events) 
 
 void Recorder::write_until_finished() {
   std::vector<Event> events;
-  bool failing = false;
+  bool failing = false, alarmed = false;
   for (;;) {
     bool finishing = false;
     {
       std::unique_lock lock(mutex_);
       const auto pressing = [&] {
-        return finishing_ || (!failing && (!events_.empty() || queue_.bytes() > queue_.most_bytes() / 8));
+        return finishing_ ||
+               (!failing && (urgent_ || !events_.empty() || queue_.bytes() > queue_.most_bytes() / 8));
       };
       if (failing || (batch_.empty() && !pressing()))
         work_.wait_for(lock, failing ? kRetry : kPace, pressing);
       finishing = finishing_;
+      alarmed = std::exchange(urgent_, false) || (alarmed && failing);
       queue_.take_all(batch_);
       events.insert(events.end(), std::make_move_iterator(events_.begin()),
                     std::make_move_iterator(events_.end()));
@@ -152,7 +157,7 @@ void Recorder::write_until_finished() {
         left_out_told_ = frames_left_out_;
       }
     }
-    const bool urgent = !events.empty();
+    const bool urgent = alarmed || !events.empty();
     const bool unsynced = durable_.load() != acknowledged_.load();
     const bool anything = !batch_.empty() || urgent;
     if (anything || (unsynced && due_full())) {

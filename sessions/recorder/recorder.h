@@ -45,7 +45,8 @@ class Recorder final : public Sink {
   /// Finishes, if nobody has.
   ~Recorder() override;
 
-  /// Copies the message; no allocation, no disk. Ticks are derived and not kept.
+  /// Copies the message; no allocation, no disk. Ticks are derived and not kept. An Alarm is committed and
+  /// synced at once.
   void take(const Envelope& envelope) override;
   /// Something that happened besides the messages; any thread. It is on the disk within the next commit,
   /// which begins at once.
@@ -80,6 +81,7 @@ class Recorder final : public Sink {
   std::vector<Event> events_;                               // guarded
   bool finishing_ = false;                                  // guarded
   bool gave_up_ = false;                                    // guarded
+  bool urgent_ = false;                                     // guarded: an alarm waits, to be synced at once
   std::uint64_t facts_left_out_ = 0, frames_left_out_ = 0;  // guarded
   std::optional<Error> failure_;                            // guarded
   std::optional<Arrival> latest_;                           // guarded

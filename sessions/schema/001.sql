@@ -418,19 +418,16 @@ CREATE TABLE event (
   utc TEXT GENERATED ALWAYS AS (strftime('%Y-%m-%dT%H:%M:%fZ', at_ns / 1e9, 'unixepoch')) VIRTUAL
 ) STRICT;
 
--- One row each time an alarm's state changes.
-CREATE TABLE alarm (
+CREATE TABLE alarm_raised (
   id INTEGER PRIMARY KEY,
-  run INTEGER NOT NULL REFERENCES run (id),
-  at_ns INTEGER NOT NULL,
-  arrival_ns INTEGER,
-  number INTEGER NOT NULL,
-  priority TEXT NOT NULL CHECK (priority IN ('emergency', 'alarm', 'warning', 'caution')),
-  state TEXT NOT NULL CHECK (state IN ('raised', 'acknowledged', 'silenced', 'rectified', 'over')),
-  source TEXT,
-  text TEXT NOT NULL,
-  unix_s REAL GENERATED ALWAYS AS (at_ns / 1e9) VIRTUAL,
-  utc TEXT GENERATED ALWAYS AS (strftime('%Y-%m-%dT%H:%M:%fZ', at_ns / 1e9, 'unixepoch')) VIRTUAL
+  run INTEGER GENERATED ALWAYS AS (id >> 36) VIRTUAL REFERENCES run (id),
+  frame INTEGER,
+  source INTEGER REFERENCES source (id),
+  valid_ns INTEGER NOT NULL,
+  heard_after_ns INTEGER NOT NULL,
+  priority TEXT NOT NULL,            -- as in IEC 62923-1: emergency, alarm, warning, caution
+  reason TEXT NOT NULL,              -- 'exception', 'blocked', 'not finite', ...
+  text TEXT NOT NULL
 ) STRICT;
 
 -- Every calibration that was made, with its quality; at most one a source is in force.
@@ -527,6 +524,12 @@ SELECT v.run, e.name AS engine, v.valid_ns / 1e9 AS unix_s,
   s.name AS source, s.body, v.lat_rad * 57.29577951308232 AS lat_deg, v.lon_rad * 57.29577951308232 AS lon_deg,
   v.depth_m, v.residual_m, v.gate_m, v.accepted, v.dr_residual_m
 FROM fix_verdict v LEFT JOIN engine e ON e.run = v.run AND e.place = v.engine LEFT JOIN source s ON s.id = v.source;
+
+CREATE VIEW alarm AS
+SELECT a.run, a.valid_ns / 1e9 AS unix_s,
+  strftime('%Y-%m-%dT%H:%M:%fZ', a.valid_ns / 1e9, 'unixepoch') AS utc,
+  a.priority, 'raised' AS state, s.name AS source, a.reason, a.text
+FROM alarm_raised a LEFT JOIN source s ON s.id = a.source;
 
 CREATE VIEW mode AS
 SELECT m.run, e.name AS engine, m.valid_ns / 1e9 AS unix_s,

@@ -20,6 +20,7 @@ struct Words;  // how an enumeration is spelt in the file, in its order
     static constexpr std::string_view kWords[] = {__VA_ARGS__}; \
   }
 LL_WORDS(Health::Level, "note", "warning");
+LL_WORDS(Alarm::Priority, "caution", "warning", "alarm", "emergency");
 LL_WORDS(GnssQuality, "unknown", "autonomous", "differential", "precise", "rtk-fixed", "rtk-float");
 LL_WORDS(HeadingReference, "true", "magnetic");
 LL_WORDS(DvlReference, "bottom", "water");
@@ -36,6 +37,8 @@ template <>
 inline constexpr const char* table_of<Rejected> = "rejected";
 template <>
 inline constexpr const char* table_of<Health> = "health";
+template <>
+inline constexpr const char* table_of<Alarm> = "alarm_raised";
 template <>
 inline constexpr const char* table_of<ClockReading> = "clock_reading";
 template <>
@@ -84,6 +87,10 @@ void fields(V& v, Rejected& m) {
 template <class V>
 void fields(V& v, Health& m) {
   v("level", m.level), v("text", m.text);
+}
+template <class V>
+void fields(V& v, Alarm& m) {
+  v("priority", m.priority), v("reason", m.reason), v("text", m.text);
 }
 template <class V>
 void fields(V& v, ClockReading& m) {

@@ -144,6 +144,25 @@ TEST(Recorder, AnEventIsOnTheDiskAtOnce) {
   EXPECT_EQ(event.text, "dvl is silent");
 }
 
+TEST(Recorder, AnAlarmIsOnTheDiskAtOnceAndReadBackEqual) {
+  MadeFolder folder;
+  const std::string path = folder.file("s.leadline");
+  auto recorder = Recorder::start(Session::create(path, {}).value(), test::two_source_run(), {}).value();
+  const Alarm alarm{Alarm::Priority::emergency, "blocked", "engine straight-line is out of service"};
+  recorder->take({.seq = 1, .valid = Time{5'000}, .arrival = Arrival{7'000}, .message = alarm});
+  auto watching = Session::open(path, Access::read).value();
+  std::vector<Alarm> found;
+  EXPECT_TRUE(soon([&] {
+    found.clear();
+    return watching.read<Alarm>(1, [&](const Envelope& e) {
+      return found.push_back(std::get<Alarm>(e.message)), true;
+    }) && !found.empty();
+  }));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0] == alarm);
+  EXPECT_TRUE(recorder->finish());
+}
+
 TEST(Recorder, AReplayOfASessionIntoItselfKeepsNoFrameTwice) {
   MadeFolder folder;
   test::MessageMaker maker;

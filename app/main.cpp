@@ -46,7 +46,7 @@ int run(int argc, char** argv) {
       .add_option("--plugin-path", replaying.plugin_paths,
                   "a folder with more plugins; may be given several times")
       ->type_name("DIR")
-      ->expected(1);
+      ->allow_extra_args(false);
   program.add_flag("--force", replaying.force, "replace an output that exists");
   program.add_option("--check-config", config_to_check, "check a configuration and leave")->type_name("FILE");
   program.add_flag("--example-config", example_config, "print a complete configuration and leave");
@@ -59,7 +59,8 @@ int run(int argc, char** argv) {
   replay_verb->add_option("--config", replaying.config, "the configuration (TOML); a session carries its own")
       ->type_name("FILE");
   replay_verb->add_option("--engine", replaying.engines, "which engine; may be given several times")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   replay_verb->add_option("--session", replaying.session, "keep everything in this session file")
       ->type_name("FILE");
   replay_verb

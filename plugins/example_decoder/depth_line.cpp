@@ -20,9 +20,9 @@ struct DepthLineOptions {
   double metres_per_unit = 1.0;  ///< of the value as sent
 };
 
-/// Lines of an intelligent pressure gauge on a shared wire: `*ddssVALUE<CR><LF>`, dd the two digits of whom
-/// it is for, ss of who speaks, VALUE a decimal number: "*000112.345" is gauge 01 at 12.345 m. There is no
-/// checksum, so everything else about a line must be right.
+/// Lines of an intelligent pressure gauge on a shared wire: `*ddssVALUE<CR><LF>` or <LF>, dd the two digits
+/// of whom it is for, ss of who speaks, VALUE a decimal number: "*000112.345" is gauge 01 at 12.345 m. There
+/// is no checksum, so everything else about a line must be right.
 class DepthLine final : public Decoder {
  public:
   explicit DepthLine(DepthLineOptions options);
@@ -84,9 +84,10 @@ void DepthLine::finish(DecoderOutput& out) {
 }
 
 void DepthLine::close(DecoderOutput& out) {
-  const std::string_view line(line_.data(), size_);
-  const bool framed = size_ >= 8 && line[size_ - 2] == '\r' && std::all_of(&line_[1], &line_[5], is_digit);
-  const auto value = framed ? decimal(line.substr(5, size_ - 7)) : std::nullopt;
+  std::string_view line(line_.data(), size_ - 1);  // a log may have kept <LF> alone
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  const bool framed = line.size() >= 6 && std::all_of(&line_[1], &line_[5], is_digit);
+  const auto value = framed ? decimal(line.substr(5)) : std::nullopt;
   if (!value) return report(ByteClass::refused, "syntax", out);
   if (!options_.unit_id.empty() && line.substr(3, 2) != options_.unit_id)
     return report(ByteClass::unused, "", out);

@@ -281,6 +281,16 @@ TEST(CommandLine, MisuseIsStatusTwoWithAWayOut) {
   EXPECT_NE(engine.err.find("dead-reckoning"), std::string::npos) << engine.err;
 }
 
+TEST(CommandLine, AnOptionTakesOneWordAndLeavesTheInputsAlone) {
+  const std::string folder = scratch_folder();
+  const auto ran = leadline("replay --csv " + folder + " --config " + data_path("demo/riverpro.toml") +
+                            " --engine dead-reckoning --plugin-path " + folder + " --engine fusion " +
+                            data_path("dvl_pd0_adcp/RiverPro_test01.PD0"));
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_GT(lines_of(test::read_text(folder + "/fusion.csv")).size(), 200u);
+  EXPECT_GT(lines_of(test::read_text(folder + "/dead-reckoning.csv")).size(), 200u);
+}
+
 TEST(CommandLine, EveryVerbHasHelpWithAnExample) {
   for (const char* verb : {"", "replay ", "info ", "list "}) {
     const auto ran = leadline(std::string(verb) + "--help");

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -71,6 +72,43 @@ TEST_F(Sdk, TheInstalledProgramFindsWhatItNeeds) {
   EXPECT_TRUE(fs::exists(prefix / "lib/libleadline-core.so"));
   EXPECT_TRUE(fs::exists(prefix / "share/leadline/magnetic/wmm2025.wmm.cof"));
   EXPECT_FALSE(fs::exists(prefix / "include/leadline/core/nav")) << "no plugin's business";
+}
+
+TEST_F(Sdk, TheInstalledProgramReplaysWithBoth) {
+  const fs::path scratch = prefix.parent_path();
+  std::string tlog;
+  for (int i = 0; i < 100; ++i)
+    tlog +=
+        "(" + std::to_string(1406851200 + i) + ".500000) depth *00011." + std::to_string(100 + i) + "\n";
+  test::write_file((scratch / "depth.tlog").string(), tlog);
+  test::write_file((scratch / "both.toml").string(), R"(version = 1
+[navigation]
+engine = "straight-line"
+body = "ship"
+[[source]]
+name = "s330"
+decoder = "nmea0183"
+body = "ship"
+[[source]]
+name = "depth"
+decoder = "depth-line"
+body = "ship"
+)");
+  const std::string paths = " --plugin-path " + (scratch / "example_engine_build").string() +
+                            " --plugin-path " + (scratch / "example_decoder_build").string();
+  const std::string csv = (scratch / "csv").string();
+  ASSERT_TRUE(run("env -i " + (prefix / "bin/leadline").string() + " replay" + paths + " --config " +
+                  (scratch / "both.toml").string() + " --engine straight-line --engine fusion --session " +
+                  (scratch / "both.leadline").string() + " --csv " + csv + " " +
+                  (scratch / "depth.tlog").string() +
+                  " s330=" LEADLINE_TEST_DATA "/nmea_openrvdas_nbp1406/NBP1406_s330-2014-08-01"));
+  for (const char* engine : {"straight-line", "fusion"}) {
+    const std::string rows = test::read_text(csv + "/" + engine + ".csv");
+    EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 600) << engine;
+  }
+  EXPECT_NE(test::read_text(csv + "/summary.json").find("\"decoded\": 100"), std::string::npos);
+  EXPECT_TRUE(
+      run("test $(" + (prefix / "bin/leadline").string() + " list engines" + paths + " | wc -l) = 3"));
 }
 
 TEST_F(Sdk, TheInterfaceHashIsThatOfTheInstalledHeaders) {
@@ -145,7 +183,7 @@ TEST_F(Sdk, TheExampleDecoderTakesWhatIsRightAndRefusesTheRest) {
            {"*00011e3\r\n", 0, "syntax"},
            {"*00011.2.3\r\n", 0, "syntax"},
            {"*0001\r\n", 0, "syntax"},
-           {"*000112.3\n", 0, "syntax"},
+           {"*000112.3\n", 1, ""},
            {"*000199999\r\n", 0, "range"},
            {"*000112.*00015.0\r\n", 1, "torn"},
            {"*000112.34", 0, "truncated"},

@@ -34,7 +34,7 @@ struct InitialPosition {
 /// Sets the depth [navigation.initial] gives, if any.
 void apply_initial_depth(const InitialOptions& initial, Motion& motion);
 
-/// Publishes a change of availability: the ModeChange and, when it got worse, a Health warning.
+/// Publishes a change of availability as a ModeChange, true at `now`.
 void publish_change(const Availability::Change& change, EngineId engine, Time now, EngineOutput& out);
 
 }  // namespace leadline::nav

@@ -15,8 +15,8 @@ namespace leadline::nav {
 /// keeps position and covariance.
 ///
 /// Fixes: GNSS wins over USBL while it is alive. Of several GNSS the first of the configuration that is alive
-/// is used; another one serves in its place unless it was seen to disagree with it by more than its gate,
-/// which is said once.
+/// is used; another one serves in its place unless it was seen to disagree with it by more than its gate:
+/// that is said when it is found, and with its figures when the first one ends.
 class FusionEngine final : public Engine {
  public:
   explicit FusionEngine(const EngineSetup& setup);

@@ -59,7 +59,9 @@ Result<PluginMetadata> read_metadata(const std::filesystem::path& file) {
   const QPluginLoader loader(qt(file));
   const QJsonObject qt_metadata = loader.metaData();
   if (qt_metadata.isEmpty())
-    return refused("is not a plugin, or a damaged one (" + shown(loader.errorString()) + ")", kTakeOut);
+    return refused("is not a plugin, or a damaged one (" +
+                       shown(loader.errorString().replace(qt(file), qt(file.filename()))) + ")",
+                   kTakeOut);
   const QString iid = qt_metadata.value("IID").toString();
   if (iid != LEADLINE_ENGINE_PLUGIN && iid != LEADLINE_DECODER_PLUGIN)
     return refused(fmt::format("is a plugin of another program (\"{}\")", shown(iid)), kTakeOut);
@@ -97,7 +99,9 @@ Result<QObject*> load_root(const std::filesystem::path& file) {
   } catch (...) {
     return Error{"threw an exception while it was loaded", file.string(), "ask its maker"};
   }
-  return Error{"cannot be loaded: " + shown(loader.errorString()), file.string(), kRebuild};
+  // The loader names the file twice over; said once, the reason is not cut away behind a long path.
+  return Error{"cannot be loaded: " + shown(loader.errorString().replace(qt(file), qt(file.filename()))),
+               file.string(), kRebuild};
 }
 
 }  // namespace leadline

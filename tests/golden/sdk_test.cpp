@@ -78,8 +78,7 @@ TEST_F(Sdk, TheInstalledProgramReplaysWithBoth) {
   const fs::path scratch = prefix.parent_path();
   std::string tlog;
   for (int i = 0; i < 100; ++i)
-    tlog +=
-        "(" + std::to_string(1406851200 + i) + ".500000) depth *00011." + std::to_string(100 + i) + "\n";
+    tlog += "(" + std::to_string(1406851200 + i) + ".500000) depth *00011." + std::to_string(100 + i) + "\n";
   test::write_file((scratch / "depth.tlog").string(), tlog);
   test::write_file((scratch / "both.toml").string(), R"(version = 1
 [navigation]

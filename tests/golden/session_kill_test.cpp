@@ -96,7 +96,6 @@ TEST(SessionKill, NothingAcknowledgedIsLostAndAQuarterOfASecondOfInputAtMost) {
       worst_open_s * 1e3);
   EXPECT_GT(acknowledged, 0U);
   EXPECT_LE(worst_lost, 250U);  // a frame a millisecond
-  EXPECT_LE(worst_open_s, 1.0);
 }
 
 }  // namespace

@@ -127,7 +127,6 @@ TEST(SideBySide, FailingEnginesAreTakenOutAndTheRestGoesOnBitForBit) {
   std::cout << alone.solutions.size() << " solutions alike; the engine that blocked cost " << took_s
             << " s\n";
   EXPECT_GE(took_s, 2.0);
-  EXPECT_LT(took_s, 3.9) << "it was waited for longer than its 2 s";
 }
 
 TEST(SideBySide, AGuestGivesTheSameBitsTwiceAndTheSameAsOnTheCoreThread) {

@@ -110,7 +110,6 @@ TEST(Damage, NoDamagedFileIsChangedOrBringsTheProgramDown) {
   std::printf("damage: %d files, %d refused, %d opened, at most %.0f ms\n", kRounds, refused, opened,
               worst_s * 1e3);
   EXPECT_GE(refused, kRounds / 4);
-  EXPECT_LE(worst_s, 5.0);
 }
 
 TEST(Damage, ALostLogCostsItsMessagesAndNothingElse) {

@@ -2,7 +2,9 @@
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # Relative paths and no build folder in the key: every build folder of the tree shares what was compiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
 add_library(leadline_flags INTERFACE)
@@ -15,6 +17,7 @@ target_compile_options(leadline_flags INTERFACE -ffp-contract=off -Wall -Wextra 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 reports uninitialised members of std::optional inside std::variant that are never read.
   target_compile_options(leadline_flags INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(leadline_flags INTERFACE -fpch-preprocess)  # lets ccache see through precompiled headers
 endif()
 if(LEADLINE_STRICT)
   target_compile_options(leadline_flags INTERFACE -Werror)
@@ -48,13 +51,18 @@ function(leadline_core_part name)
   endif()
 endfunction()
 
-# leadline_test(unit_core_geo SOURCES ... LINKS ...): one GoogleTest binary for one folder.
+# leadline_test(unit_core_geo [GUI] SOURCES ... LINKS ...): one GoogleTest binary for one folder. GUI: with a
+# QApplication and test::expect_picture(); such tests carry the label "screenshot".
 function(leadline_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "GUI" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE leadline_flags ${ARG_LINKS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE leadline_flags ${ARG_LINKS} GTest::gmock
+    $<IF:$<BOOL:${ARG_GUI}>,test_gui,GTest::gtest_main>)
   target_compile_definitions(${name} PRIVATE LEADLINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     LEADLINE_BINARY_DIR="${PROJECT_BINARY_DIR}" LEADLINE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h> <string> <vector>)
   add_test(NAME ${name} COMMAND ${name})
+  if(ARG_GUI)
+    set_tests_properties(${name} PROPERTIES LABELS screenshot)
+  endif()
 endfunction()

@@ -1,40 +1,12 @@
 #include "sessions/store/message_rows.h"
 
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <utility>
 
-#include "sessions/store/connection.h"
-#include "sessions/store/message_fields.h"
+#include "sessions/store/message_columns.h"
 
 namespace leadline::sessions {
 namespace {
-
-struct Names {
-  template <class T>
-  void operator()(const char* name, T&) {
-    names.push_back(name);
-  }
-  std::vector<std::string> names;
-};
-
-template <class M>
-const std::vector<std::string>& columns_of() {
-  static const std::vector<std::string> columns = [] {
-    Names all{{"id", "frame", "source", "valid_ns", "heard_after_ns"}};
-    M message{};
-    fields(all, message);
-    return all.names;
-  }();
-  return columns;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 class Binder {
  public:
@@ -74,50 +46,6 @@ class Binder {
   std::string text_;
 };
 
-class ColumnReader {
- public:
-  ColumnReader(SQLite::Statement& row, int first) : row_(row), index_(first) {}
-  template <class T>
-  void operator()(const char*, T& value) {
-    const SQLite::Column column = row_.getColumn(index_++);
-    take(column, value);
-  }
-  bool failed = false;
-
- private:
-  static void take(const SQLite::Column& c, double& value) {
-    value = c.isNull() ? std::nan("") : c.getDouble();
-  }
-  static void take(const SQLite::Column& c, Angle& value) {
-    value = Angle::rad(c.isNull() ? std::nan("") : c.getDouble());
-  }
-  static void take(const SQLite::Column& c, Depth& value) { take(c, value.m); }
-  static void take(const SQLite::Column& c, EllipsoidHeight& value) { take(c, value.m); }
-  template <std::size_t N>
-  static void take(const SQLite::Column& c, Text<N>& value) {
-    value = Text<N>(text_of(c));
-  }
-  template <class T>
-  void take(const SQLite::Column& c, std::optional<T>& value) {
-    value.reset();
-    if (!c.isNull()) take(c, value.emplace());
-  }
-  template <class T>
-  std::enable_if_t<std::is_integral_v<T>> take(const SQLite::Column& c, T& value) {
-    value = static_cast<T>(c.getInt64());
-  }
-  template <class T>
-  std::enable_if_t<std::is_enum_v<T>> take(const SQLite::Column& c, T& value) {
-    const auto& words = Words<T>::kWords;
-    const auto* found = std::find(std::begin(words), std::end(words), std::string_view(text_of(c)));
-    failed = failed || found == std::end(words);
-    if (found != std::end(words)) value = static_cast<T>(found - std::begin(words));
-  }
-
-  SQLite::Statement& row_;
-  int index_;
-};
-
 constexpr std::size_t kRawFrame = 0;
 static_assert(std::is_same_v<std::variant_alternative_t<kRawFrame, Message>, RawFrame>);
 
@@ -132,18 +60,7 @@ std::vector<Envelope> page_of(SQLite::Database& database, std::int64_t after, st
     query.bind(1, after), query.bind(2, end), query.bind(3, most);
     while (query.executeStep()) {
       Envelope& envelope = page.emplace_back();
-      envelope.seq = seq_of(query.getColumn(0).getInt64());
-      if (!query.getColumn(1).isNull()) envelope.raw = seq_of(query.getColumn(1).getInt64());
-      if (!query.getColumn(2).isNull()) {
-        const auto place = sources.find(query.getColumn(2).getInt64());
-        failed = failed || place == sources.end();
-        if (place != sources.end()) envelope.source = place->second;
-      }
-      const auto heard_after_ns = static_cast<std::uint64_t>(query.getColumn(4).getInt64());
-      envelope.valid.ns = query.getColumn(3).getInt64();
-      envelope.arrival.ns =
-          static_cast<std::int64_t>(static_cast<std::uint64_t>(envelope.valid.ns) + heard_after_ns);
-      envelope.wall_utc = envelope.arrival.host();
+      failed = !read_head(query, sources, envelope) || failed;
       M message{};
       ColumnReader reader(query, 5);
       fields(reader, message);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -13,6 +14,8 @@
 
 namespace leadline::sessions {
 
+class MessageReader;
+
 enum class Access : std::uint8_t {
   read,   ///< beside a recording, too: never writes, never waits for it
   append  ///< one process at a time
@@ -22,6 +25,28 @@ enum class Access : std::uint8_t {
 enum class Sync : std::uint8_t {
   normal,  ///< survives the program's death; power loss may take it until the next full one
   full     ///< is on the disk when commit() returns
+};
+
+/// Some of the kinds of message, by their index in Message.
+using Kinds = std::bitset<std::variant_size_v<Message>>;
+template <class... M>
+[[nodiscard]] Kinds kinds_of() {
+  Kinds kinds;
+  (kinds.set(Message(M{}).index()), ...);
+  return kinds;
+}
+
+/// Which messages of a run are read, and how much of them.
+struct Reading {
+  std::uint64_t first_seq = 0, end_seq = UINT64_MAX;  ///< first_seq <= seq < end_seq
+  Kinds whole = Kinds().set();
+  Kinds heads;  ///< of these (and not whole ones) seq, times and source only: the message is M{}
+};
+
+/// Whose messages of a kind are asked for; an empty one is anybody's.
+struct Speaker {
+  std::optional<SourceId> source;
+  std::optional<EngineId> engine;  ///< of Solution, FixVerdict and ModeChange
 };
 
 /// One session file. Every Error is a sentence for the operator; a file that is refused is left as it is.
@@ -71,6 +96,29 @@ class Session {
   }
   /// The number in a run of its first frame at or after an arrival; empty behind the last one. Bisects.
   [[nodiscard]] Result<std::optional<std::uint64_t>> seek(RunId run, Arrival arrival);
+  /// Messages of all kinds of a part of a run in bus order, merged; a RawFrame comes without its bytes (those
+  /// are a FrameReader's), Ticks are not kept. Memory: a row a kind. `take` returns false to stop; it must
+  /// not ask this session. A part may be long: the file is let go every few thousand messages, so that a
+  /// recorder's log never waits for a reader. 10 us to begin, some 2 us a message.
+  [[nodiscard]] Result<void> read_between(RunId run, const Reading& reading,
+                                          const std::function<bool(const Envelope&)>& take);
+  /// The last `most` messages of one kind and speaker before end_seq, oldest first; none before floor_seq is
+  /// looked at: finding a speaker who fell silent costs 0.1 us for every message of the kind since.
+  [[nodiscard]] Result<std::vector<Envelope>> read_last(RunId run, std::size_t kind, std::uint64_t end_seq,
+                                                        int most, const Speaker& speaker = {},
+                                                        std::uint64_t floor_seq = 0);
+  template <class M>
+  [[nodiscard]] Result<std::optional<Envelope>> last_before(RunId run, std::uint64_t end_seq,
+                                                            const Speaker& speaker = {},
+                                                            std::uint64_t floor_seq = 0) {
+    auto last = read_last(run, Message(M{}).index(), end_seq, 1, speaker, floor_seq);
+    if (!last) return last.error();
+    if (last.value().empty()) return std::optional<Envelope>();
+    return std::optional<Envelope>(std::move(last.value().front()));
+  }
+  /// The number of the first message of any kind heard after an arrival, frames or none; behind the last one
+  /// the number after it (1 in a run without messages). Bisects: some 100 us.
+  [[nodiscard]] Result<std::uint64_t> seek_after(RunId run, Arrival arrival);
   /// SQLite's quick_check of the whole file. Error: what is damaged.
   [[nodiscard]] Result<void> check();
 
@@ -98,6 +146,7 @@ class Session {
   explicit Session(std::unique_ptr<Impl> impl);
   [[nodiscard]] Result<void> read_kind(RunId run, std::size_t kind,
                                        const std::function<bool(const Envelope&)>& take);
+  [[nodiscard]] MessageReader& reader(RunId run);
 
   std::unique_ptr<Impl> impl_;
 };

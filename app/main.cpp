@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "app/configuration.h"
+#include "app/console.h"
 #include "app/export.h"
 #include "app/info.h"
 #include "app/list.h"
@@ -72,6 +73,28 @@ int run(int argc, char** argv) {
   replay_verb->footer(
       "Example: leadline replay s330=s330.txt gyr1=gyr1.txt --config ship.toml --engine fusion --csv out");
 
+  ConsoleOptions showing;
+  auto* console_verb = program.add_subcommand("console", "the operator's console; also without a verb");
+  console_verb->add_option("--config", showing.config, "names; a session carries its own")->type_name("FILE");
+  console_verb->add_option("--session", showing.session, "show this session, paused at its end")
+      ->type_name("FILE");
+  console_verb->add_option("--screenshot", showing.screenshot, "save a picture and leave; needs no display")
+      ->type_name("PNG");
+  console_verb
+      ->add_option("--after", showing.after_s, "seconds of session time from its start; default its end")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("S");
+  console_verb->add_option("--size", showing.size, "of the window")->type_name("WxH")->capture_default_str();
+  console_verb->add_option("--palette", showing.palette, "day, dusk or night; default the last one")
+      ->check(CLI::IsMember({"day", "dusk", "night"}));
+  console_verb
+      ->add_option("--chart", showing.charts,
+                   "a GeoTIFF or MBTiles below everything; may be given several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  console_verb->footer(
+      "Example: leadline console --session dive.leadline --palette night --screenshot dive.png");
+
   std::vector<std::string> files;
   bool json = false;
   auto* info_verb = program.add_subcommand("info", "what a log holds, every byte accounted for");
@@ -120,8 +143,8 @@ int run(int argc, char** argv) {
   if (list_verb->parsed()) return status(list(what, load_plugins(replaying.plugin_paths), json));
   exporting.force = replaying.force;
   if (export_verb->parsed()) return status(export_session(exporting));
-  fmt::print(stderr, "{}", program.help());
-  return status(Exit::misused);
+  showing.plugin_paths = replaying.plugin_paths;
+  return status(console(showing));
 }
 
 }  // namespace

@@ -6,6 +6,9 @@ set(package_destination lib/cmake/leadline)
 install(TARGETS leadline RUNTIME DESTINATION bin)
 set_target_properties(leadline_navigation PROPERTIES INSTALL_RPATH $ORIGIN/../..)
 install(TARGETS leadline_navigation LIBRARY DESTINATION lib/leadline/plugins)
+install(TARGETS leadline-console LIBRARY DESTINATION lib)
+set_target_properties(leadline-console PROPERTIES INSTALL_RPATH $ORIGIN)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/charts/ DESTINATION share/leadline/charts)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/magnetic/ DESTINATION share/leadline/magnetic
   FILES_MATCHING PATTERN "*.wmm" PATTERN "*.wmm.cof")
 

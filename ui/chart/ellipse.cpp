@@ -1,0 +1,75 @@
+#include "ui/chart/ellipse.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/halo.h"
+#include "ui/look/halo_text.h"
+#include "ui/look/look.h"
+
+namespace leadline::ui {
+
+std::optional<SigmaEllipse> sigma_ellipse(double var_north_m2, double cov_north_east_m2, double var_east_m2) {
+  const double mean = (var_north_m2 + var_east_m2) / 2.0;
+  const double half = (var_north_m2 - var_east_m2) / 2.0;
+  const double spread = std::hypot(half, cov_north_east_m2);
+  const double smaller = mean - spread;
+  if (!std::isfinite(spread) || !std::isfinite(mean) || smaller < -1e-9 * mean || mean < 0.0)
+    return std::nullopt;
+  Angle azimuth = Angle::rad(std::atan2(cov_north_east_m2, half) / 2.0);
+  if (azimuth.rad() < 0.0) azimuth = azimuth + Angle::rad(kPi);
+  return SigmaEllipse{std::sqrt(mean + spread), std::sqrt(std::max(smaller, 0.0)), azimuth};
+}
+
+bool draw_sigma_ellipse(QPainter& painter, const ChartView& view, Geodetic at, const SigmaEllipse& ellipse,
+                        Role role, const Colours& colours) {
+  const double major_px = ellipse.major_m / view.metres_per_px();
+  const double minor_px = ellipse.minor_m / view.metres_per_px();
+  if (!(major_px >= 10.0)) return false;
+  QPainterPath path;
+  path.addEllipse(QPointF(), minor_px, major_px);
+  QTransform place;
+  const QPointF centre = view.to_screen(at);
+  place.translate(centre.x(), centre.y());
+  place.rotate(view.screen_angle_deg(ellipse.azimuth, at));
+  path = place.map(path);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.strokePath(path, halo_pen(1.4, Halo::line, colours));
+  painter.fillPath(path, colours.of(role, 0.12));
+  painter.strokePath(path, pen_of({role, 1.4}, colours));
+  return true;
+}
+
+double doubt_radius_m(double sigma_m, double last_speed_mps, double age_s) {
+  return sigma_m + (last_speed_mps + 0.1) * std::max(age_s, 0.0);
+}
+
+void draw_doubt(QPainter& painter, QPointF at, double radius_px, SymbolState state, Role role,
+                const Colours& colours) {
+  if (state == SymbolState::live || !(radius_px >= 10.0)) return;
+  QPainterPath circle;
+  circle.addEllipse(at, radius_px, radius_px);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.strokePath(circle, halo_pen(1.6, Halo::track, colours));
+  if (state == SymbolState::stale) painter.fillPath(circle, colours.of(role, 0.10));
+  painter.strokePath(circle, pen_of({role, 2.0, {2.0, 4.0}}, colours));
+}
+
+QRectF age_box(QPointF at, double doubt_px, const QString& text) {
+  const QFontMetricsF metrics(font(13, true));
+  // Beside a small circle, within reach of the symbol of a large one.
+  const double out = std::clamp(doubt_px, 14.0, 40.0) * 0.7071 + 3.0;
+  const double height = metrics.ascent() + metrics.descent();
+  return {at.x() + out, at.y() - out - height / 2.0, metrics.horizontalAdvance(text), height};
+}
+
+QRectF draw_age(QPainter& painter, QPointF at, double doubt_px, const QString& text, const Colours& colours) {
+  const QFont bold = font(13, true);
+  const QRectF box = age_box(at, doubt_px, text);
+  draw_halo_text(painter, {box.left(), box.top() + QFontMetricsF(bold).ascent()}, text, bold, Role::ink,
+                 colours);
+  return box;
+}
+
+}  // namespace leadline::ui

@@ -11,6 +11,7 @@
 #include "app/list.h"
 #include "app/plugins.h"
 #include "app/replay.h"
+#include "app/simulate.h"
 #include "app/talk.h"
 
 namespace {
@@ -112,6 +113,19 @@ int run(int argc, char** argv) {
       ->type_name("F");
   export_verb->footer("Example: leadline export dive.leadline --format tlog --output dive.tlog");
 
+  SimulateOptions simulating;
+  auto* simulate_verb =
+      program.add_subcommand("simulate", "truth and every sensor's telegrams of a scenario");
+  simulate_verb->add_option("SCENARIO", simulating.scenario, "a scenario (TOML)")->required();
+  simulate_verb
+      ->add_option("--output", simulating.output, "write telegrams.tlog, truth.csv, leadline.toml there")
+      ->required()
+      ->type_name("DIR");
+  simulate_verb->add_option("--seed", simulating.seed, "of the noise, instead of the scenario's")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  simulate_verb->footer("Example: leadline simulate tests/data/scenarios/deep-survey.toml --output sim");
+
   std::string what;
   auto* list_verb = program.add_subcommand("list", "what this build offers");
   list_verb->add_option("WHAT", what, "engines, decoders or links")
@@ -141,6 +155,8 @@ int run(int argc, char** argv) {
   if (replay_verb->parsed()) return status(replay(replaying));
   if (info_verb->parsed()) return status(info(files, json));
   if (list_verb->parsed()) return status(list(what, load_plugins(replaying.plugin_paths), json));
+  simulating.force = replaying.force;
+  if (simulate_verb->parsed()) return status(simulate(simulating));
   exporting.force = replaying.force;
   if (export_verb->parsed()) return status(export_session(exporting));
   showing.plugin_paths = replaying.plugin_paths;

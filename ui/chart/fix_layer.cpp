@@ -45,6 +45,7 @@ FixLayer::Change FixLayer::sync(const History& history, const ChartView& view, T
     marks_.clear();
     taken_.clear();
     kinds_ = {};
+    shown_ = painted_ = 0;
   }
   const std::size_t before = marks_.size();
   for (std::size_t i = before; i < history.fixes.size(); ++i) {
@@ -63,17 +64,18 @@ FixLayer::Change FixLayer::sync(const History& history, const ChartView& view, T
   const auto end = std::partition_point(history.fixes.begin(), history.fixes.end(),
                                         [&](const FixMark& f) { return f.valid <= now; });
   const auto shown = static_cast<std::size_t>(end - history.fixes.begin());
-  const bool shrunk = shown < shown_;
-  const bool grown = shown > shown_;
-  if (shrunk) kinds_ = {};
-  for (std::size_t i = shrunk ? 0 : shown_; i < shown; ++i) {
+  const bool earlier = shown < shown_;
+  if (earlier) kinds_ = {};
+  for (std::size_t i = earlier ? 0 : shown_; i < shown; ++i) {
     kinds_.used |= marks_[i].accepted == true;
     kinds_.refused |= marks_[i].accepted == false;
     kinds_.not_used |= !marks_[i].accepted;
   }
   shown_ = shown;
-  if (anew || shrunk) settle();
-  return anew || shrunk ? Change::anew : grown ? Change::grown : Change::none;
+  anew |= shown < painted_;
+  pending_ = std::max(pending_, anew ? Change::anew : shown > painted_ ? Change::grown : Change::none);
+  if (pending_ == Change::anew) painted_ = shown_;  // paint() paints them all
+  return pending_;
 }
 
 void FixLayer::thin(std::size_t first, double metres_per_px) {
@@ -116,6 +118,9 @@ void FixLayer::paint_added(QPainter& painter, const ChartView& view, const Colou
   paint_range(painter, view, added(view), painted_, shown_, colours);
 }
 
-void FixLayer::settle() { painted_ = shown_; }
+void FixLayer::settle() {
+  painted_ = shown_;
+  pending_ = Change::none;
+}
 
 }  // namespace leadline::ui

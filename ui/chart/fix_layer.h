@@ -16,7 +16,7 @@ namespace leadline::ui {
 class FixLayer {
  public:
   enum class Change : std::uint8_t { none, grown, anew };
-  /// Shows what was valid at or before `now`, at this view's scale and turn.
+  /// What has happened since settle(); shows what was valid at or before `now`, at this view's scale.
   Change sync(const History& history, const ChartView& view, Time now);
 
   /// Fixes within `exposed` (screen px) that have been settled.
@@ -47,6 +47,7 @@ class FixLayer {
   std::unordered_set<std::uint64_t> taken_;
   std::size_t painted_ = 0, shown_ = 0;
   Kinds kinds_;
+  Change pending_ = Change::none;
 };
 
 }  // namespace leadline::ui

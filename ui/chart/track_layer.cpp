@@ -54,7 +54,7 @@ TrackLayer::Change TrackLayer::sync(const History& history, const maps::LocalPro
     lines_.clear();
   }
   if (lines_.size() < history.tracks.size()) lines_.resize(history.tracks.size());
-  bool grown = false, shrunk = false;
+  bool grown = false;
   std::array<Geodetic, 256> from;
   std::array<maps::PlanePoint, 256> to;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -68,13 +68,14 @@ TrackLayer::Change TrackLayer::sync(const History& history, const maps::LocalPro
       line.path.append({to.data(), count});
     }
     const std::size_t shown = shown_at(track, now);
-    shrunk |= shown < line.shown;
-    grown |= shown > line.shown;
-    shrunk |= shown > line.painted + kMostAdded;
+    anew |= shown < line.painted || shown > line.painted + kMostAdded;
+    grown |= shown > line.painted;
     line.shown = shown;
   }
-  if (anew || shrunk) settle();
-  return anew || shrunk ? Change::anew : grown ? Change::grown : Change::none;
+  pending_ = std::max(pending_, anew ? Change::anew : grown ? Change::grown : Change::none);
+  if (pending_ == Change::anew)
+    for (Line& line : lines_) line.painted = line.shown;  // paint() paints it all
+  return pending_;
 }
 
 void TrackLayer::paint(QPainter& painter, const ChartView& view, const QRect& exposed,
@@ -106,6 +107,7 @@ void TrackLayer::paint_added(QPainter& painter, const ChartView& view, const Col
 
 void TrackLayer::settle() {
   for (Line& line : lines_) line.painted = line.shown;
+  pending_ = Change::none;
 }
 
 std::optional<maps::PlaneBox> TrackLayer::extent() const {

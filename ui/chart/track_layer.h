@@ -20,13 +20,13 @@ enum class TrackKind : std::uint8_t { fused, dead_reckoning, ship, other };
 /// thread.
 class TrackLayer {
  public:
-  /// What the last sync() found, for the picture that holds the tracks.
+  /// What has happened since settle(), for the picture that holds the tracks.
   enum class Change : std::uint8_t {
     none,
     grown,  ///< paint_added() brings the picture up to date
     anew    ///< another history or projection, or an earlier moment: paint everything
   };
-  /// Shows what was valid at or before `now`.
+  /// Shows what was valid at or before `now`. May be asked several times before the picture is painted.
   Change sync(const History& history, const maps::LocalProjection& projection, Time now);
 
   /// Tracks within `exposed`, as of the sync() before the last where that one found `grown`, so that
@@ -35,7 +35,7 @@ class TrackLayer {
   /// Where paint_added() paints; empty without growth.
   [[nodiscard]] QRect added(const ChartView& view) const;
   void paint_added(QPainter& painter, const ChartView& view, const Colours& colours) const;
-  /// The growth has been painted.
+  /// The picture is up to date.
   void settle();
 
   /// The box of what is shown; empty when nothing is.
@@ -53,6 +53,7 @@ class TrackLayer {
   const History* history_ = nullptr;
   std::optional<Geodetic> origin_;
   std::vector<Line> lines_;
+  Change pending_ = Change::none;
 };
 
 }  // namespace leadline::ui

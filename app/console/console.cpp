@@ -236,9 +236,22 @@ class Console {
   bool view_is_ours_ = true;
 };
 
+/// Who is told what Qt says; lives as long as leadline_console().
+const ConsoleRequest* listener = nullptr;
+
+/// Qt ends the program where it finds no display, after saying so in its own words.
+void hear_qt(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text) {
+  if (type != QtFatalMsg) return listener->detail("Qt: " + text.toStdString());
+  listener->say("there is no display to open (" + text.simplified().toStdString() +
+                "): log in at a screen, or make a picture with --screenshot and QT_QPA_PLATFORM=offscreen");
+  std::_Exit(1);
+}
+
 }  // namespace
 
 extern "C" int leadline_console(const ConsoleRequest& request) {
+  listener = &request;
+  qInstallMessageHandler(hear_qt);
   static int argc = 1;
   static char name[] = "leadline";
   static char* argv[] = {name, nullptr};

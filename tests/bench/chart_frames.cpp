@@ -117,9 +117,6 @@ void run(ui::Background& background, int points) {
   canvas.set_follow(ui::Body::vehicle);
   canvas.set_metres_per_px(2.0);
   canvas.show();
-  const auto first = std::chrono::steady_clock::now();
-  canvas.repaint();
-  fmt::print("  first frame {:.1f} ms\n", ms_since(first));
   settle(canvas);
   const double before = resident_mib();
   std::vector<double> frames;

@@ -114,6 +114,9 @@ TEST(Console, WithoutADisplayItSaysSo) {
   const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM ") + program;
   EXPECT_EQ(WEXITSTATUS(std::system((command + " 2>" + folder + "/err").c_str())), 1);
   EXPECT_THAT(test::read_text(folder + "/err"), HasSubstr("there is no display"));
+  const std::string wrong = std::string("env -u QT_QPA_PLATFORM DISPLAY=:987 ") + program;
+  EXPECT_EQ(WEXITSTATUS(std::system((wrong + " 2>" + folder + "/err").c_str())), 1);
+  EXPECT_THAT(test::read_text(folder + "/err"), HasSubstr("there is no display to open"));
   // A picture needs none.
   EXPECT_EQ(WEXITSTATUS(std::system(
                 (command + " console --size 800x600 --screenshot " + folder + "/x.png 2>&1").c_str())),

@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ namespace leadline::ui {
 namespace {
 
 constexpr double kFirstScale_m_px = 1.0;
+constexpr int kStampCache_KiB = 64 << 10;
 constexpr double kWheelStep = 1.25;
 constexpr int kKeyStep_px = 80;
 /// Turns of the chart are whole steps of this, so that a swinging heading does not paint everything each
@@ -69,6 +71,7 @@ ChartCanvas::ChartCanvas(QWidget* parent) : QWidget(parent), view_({}, QSize(1, 
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(240, 180);
+  QPixmapCache::setCacheLimit(kStampCache_KiB);
   setCursor(Qt::BlankCursor);  // its own cross has a free middle
   connect(&Look::current(), &Look::lookChanged, this, &ChartCanvas::anew);
 }

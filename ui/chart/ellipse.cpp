@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/chart/halo.h"
+#include "ui/chart/stamp.h"
 #include "ui/look/halo_text.h"
 #include "ui/look/look.h"
 
@@ -22,22 +23,48 @@ std::optional<SigmaEllipse> sigma_ellipse(double var_north_m2, double cov_north_
   return SigmaEllipse{std::sqrt(mean + spread), std::sqrt(std::max(smaller, 0.0)), azimuth};
 }
 
-bool draw_sigma_ellipse(QPainter& painter, const ChartView& view, Geodetic at, const SigmaEllipse& ellipse,
-                        Role role, const Colours& colours) {
-  const double major_px = ellipse.major_m / view.metres_per_px();
-  const double minor_px = ellipse.minor_m / view.metres_per_px();
-  if (!(major_px >= 10.0)) return false;
+namespace {
+
+/// Up to this semi-axis the picture of an ellipse is kept: it changes slowly, and stroking it costs 50 us.
+constexpr double kKept_px = 160.0;
+
+void paint_ellipse(QPainter& painter, QPointF centre, double major_px, double minor_px, double angle_deg,
+                   Role role, const Colours& colours) {
   QPainterPath path;
   path.addEllipse(QPointF(), minor_px, major_px);
   QTransform place;
-  const QPointF centre = view.to_screen(at);
   place.translate(centre.x(), centre.y());
-  place.rotate(view.screen_angle_deg(ellipse.azimuth, at));
+  place.rotate(angle_deg);
   path = place.map(path);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.strokePath(path, halo_pen(1.4, Halo::line, colours));
   painter.fillPath(path, colours.of(role, 0.12));
   painter.strokePath(path, pen_of({role, 1.4}, colours));
+}
+
+}  // namespace
+
+bool draw_sigma_ellipse(QPainter& painter, const ChartView& view, Geodetic at, const SigmaEllipse& ellipse,
+                        Role role, const Colours& colours) {
+  const double major_px = ellipse.major_m / view.metres_per_px();
+  const double minor_px = ellipse.minor_m / view.metres_per_px();
+  if (!(major_px >= 10.0)) return false;
+  const QPointF centre = view.to_screen(at);
+  const double angle_deg = view.screen_angle_deg(ellipse.azimuth, at);
+  if (major_px > kKept_px) {
+    paint_ellipse(painter, centre, major_px, minor_px, angle_deg, role, colours);
+    return true;
+  }
+  // To a quarter of a pixel at the tip, as the stamp's own place is.
+  const auto steps = [](double value, double step) { return static_cast<int>(std::lround(value / step)); };
+  const double turn_deg = 0.25 / major_px * kDegPerRad;
+  const int major = steps(major_px, 0.25), minor = steps(minor_px, 0.25), angle = steps(angle_deg, turn_deg);
+  const QString name =
+      QStringLiteral("ellipse %1 %2 %3 %4").arg(static_cast<int>(role)).arg(major).arg(minor).arg(angle);
+  draw_stamp(painter, centre, name, static_cast<int>(std::ceil(major_px)) + 4, colours,
+             [&](QPainter& inside, QPointF middle) {
+               paint_ellipse(inside, middle, major * 0.25, minor * 0.25, angle * turn_deg, role, colours);
+             });
   return true;
 }
 

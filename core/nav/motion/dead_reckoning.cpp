@@ -29,8 +29,12 @@ void DeadReckoning::push(Time t) {
     first_ = (first_ + 1) % kPoints;
 }
 
+Geodetic DeadReckoning::from_here(const Eigen::Vector2d& displacement) const {
+  return geo::displaced(position_, displacement.x(), displacement.y(), -depth_m_);
+}
+
 void DeadReckoning::move(const Eigen::Vector2d& displacement) {
-  position_ = geo::displaced(position_, displacement.x(), displacement.y());
+  position_ = from_here(displacement);
   travelled_ += displacement;
   net_ += displacement;
 }
@@ -84,7 +88,7 @@ void DeadReckoning::advance(Time t, const Eigen::Vector2d& displacement) {
 }
 
 void DeadReckoning::shift(const Eigen::Vector2d& step) {
-  position_ = geo::displaced(position_, step.x(), step.y());
+  position_ = from_here(step);
 }
 
 void DeadReckoning::fixed(const Eigen::Matrix2d& P) {
@@ -101,7 +105,7 @@ std::optional<Geodetic> DeadReckoning::position_at(Time t) const {
     const auto heard = intervals_.last();
     if (!heard || seconds(t - *heard) > std::max(kBeyondEndS, longest_interval_s())) return std::nullopt;
     const Eigen::Vector2d ahead = last_.v_ne * beyond_s;
-    return geo::displaced(position_, ahead.x(), ahead.y());
+    return from_here(ahead);
   }
   if (t < point(0).t) return std::nullopt;
   std::size_t low = 0, high = count_ - 1;  // point(low).t <= t < point(high).t
@@ -113,7 +117,7 @@ std::optional<Geodetic> DeadReckoning::position_at(Time t) const {
   const Eigen::Vector2d at =
       a.travelled + (b.travelled - a.travelled) * (seconds(t - a.t) / seconds(b.t - a.t));
   const Eigen::Vector2d back = at - travelled_;
-  return geo::displaced(position_, back.x(), back.y());
+  return from_here(back);
 }
 
 Eigen::Matrix2d DeadReckoning::grown() const {

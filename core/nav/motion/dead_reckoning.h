@@ -25,6 +25,8 @@ class DeadReckoning {
   /// Begins at a position true at t; velocities heard later than t already move it.
   void start(Time t, const Geodetic& position, const Eigen::Matrix2d& P0);
   [[nodiscard]] bool started() const { return started_; }
+  /// Where the body is: a metre at 1500 m of depth is 0.24 mm more of latitude than one at the surface.
+  void at_depth(Depth depth) { depth_m_ = depth.m; }
 
   struct Velocity {
     Eigen::Vector2d v_ne = Eigen::Vector2d::Zero();  ///< north, east, m/s
@@ -69,6 +71,7 @@ class DeadReckoning {
 
   void push(Time t);
   void move(const Eigen::Vector2d& displacement);
+  [[nodiscard]] Geodetic from_here(const Eigen::Vector2d& displacement) const;
   [[nodiscard]] double longest_interval_s() const;
   [[nodiscard]] const Point& point(std::size_t i) const { return points_[(first_ + i) % kPoints]; }
 
@@ -76,6 +79,7 @@ class DeadReckoning {
   bool started_ = false;
   Time time_;
   Geodetic position_;
+  double depth_m_ = 0.0;
   Velocity last_;
   Intervals intervals_;
 

@@ -36,6 +36,7 @@ std::optional<Motion::Ping> Motion::take(const Envelope& envelope) {
     if (depth_source_.takes(source.id, envelope.valid)) {
       depth_measured_ = true;
       depth_ = Depth{depth->depth.m - source.lever.z};
+      track.at_depth(*depth_);
       sd_depth_m_ =
           std::max(depth->sd_m.value_or(options_.aiding.depth_noise_m), 0.1 * options_.aiding.depth_noise_m);
     }
@@ -83,11 +84,13 @@ std::optional<Health> Motion::notice() {
 void Motion::height_known(EllipsoidHeight height) {
   if (depth_measured_) return;
   depth_ = Depth{-height.m};
+  track.at_depth(*depth_);
   sd_depth_m_ = options_.aiding.gnss_height_noise_m;
 }
 
 void Motion::depth_known(Depth depth, double sd_m) {
   depth_ = depth;
+  track.at_depth(depth);
   sd_depth_m_ = sd_m;
 }
 

@@ -42,7 +42,7 @@ class Sdk : public testing::Test {
       // A copy, so that nothing of the source tree is in reach.
       const fs::path source = scratch / example, build = scratch / (example + "_build");
       fs::copy(fs::path(LEADLINE_SOURCE_DIR) / "plugins" / example, source, fs::copy_options::recursive);
-      ASSERT_TRUE(run("cmake -S " + source.string() + " -B " + build.string() +
+      ASSERT_TRUE(run("cmake -G Ninja -S " + source.string() + " -B " + build.string() +
                       " -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=" + prefix.string()));
       ASSERT_TRUE(run("cmake --build " + build.string()));
     }

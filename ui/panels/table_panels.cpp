@@ -4,47 +4,46 @@
 #include "ui/widgets/table.h"
 
 namespace leadline::ui {
-namespace {
 
-// A panel without its subject keeps the room of one row, for its reason.
-int height_of(const Panel& panel, const QWidget& table) {
-  return Panel::kTitle + (panel.absent() ? kTableRow + 4 : table.sizeHint().height()) + Panel::kPad;
+TablePanel::TablePanel(const char* object_name, const QString& name, QWidget* table, QWidget* parent)
+    : Panel(object_name, name, parent), table_(table) {
+  table_->setParent(this);
 }
 
-}  // namespace
+QSize TablePanel::sizeHint() const {
+  return {408, Panel::kTitle + (absent() ? kTableRow + 4 : table_->sizeHint().height()) + Panel::kPad};
+}
 
-SourcesPanel::SourcesPanel(QWidget* parent)
-    : Panel("sourcesPanel", QStringLiteral("Sources"), parent), table_(new SourcesTable(this)) {}
+void TablePanel::arrange(const std::string& fact, const std::string& why_absent) {
+  set_heading({}, q(fact));
+  set_absent(q(why_absent));
+  table_->setVisible(!absent());
+  table_->setGeometry(body());
+  if (sizeHint().height() == height_) return;
+  height_ = sizeHint().height();
+  updateGeometry();
+}
+
+void TablePanel::resizeEvent(QResizeEvent* /*event*/) { table_->setGeometry(body()); }
+
+SourcesPanel::SourcesPanel(QWidget* parent) : SourcesPanel(new SourcesTable, parent) {}
+
+SourcesPanel::SourcesPanel(SourcesTable* table, QWidget* parent)
+    : TablePanel("sourcesPanel", QStringLiteral("Sources"), table, parent), table_(table) {}
 
 void SourcesPanel::set(const SourcesText& text) {
-  const int before = sizeHint().height();
-  set_heading({}, q(text.fact));
-  set_absent(q(text.absent));
   table_->set(text.rows);
-  table_->setVisible(!absent());
-  table_->setGeometry(body());
-  if (sizeHint().height() != before) updateGeometry();
+  arrange(text.fact, text.absent);
 }
 
-QSize SourcesPanel::sizeHint() const { return {408, height_of(*this, *table_)}; }
+RangePanel::RangePanel(QWidget* parent) : RangePanel(new RangeBearingTable, parent) {}
 
-void SourcesPanel::resizeEvent(QResizeEvent* /*event*/) { table_->setGeometry(body()); }
-
-RangePanel::RangePanel(QWidget* parent)
-    : Panel("rangePanel", QStringLiteral("Range and bearing"), parent), table_(new RangeBearingTable(this)) {}
+RangePanel::RangePanel(RangeBearingTable* table, QWidget* parent)
+    : TablePanel("rangePanel", QStringLiteral("Range and bearing"), table, parent), table_(table) {}
 
 void RangePanel::set(const RangesText& text) {
-  const int before = sizeHint().height();
-  set_heading({}, q(text.fact));
-  set_absent(q(text.absent));
   table_->set(text.rows);
-  table_->setVisible(!absent());
-  table_->setGeometry(body());
-  if (sizeHint().height() != before) updateGeometry();
+  arrange(text.fact, text.absent);
 }
-
-QSize RangePanel::sizeHint() const { return {408, height_of(*this, *table_)}; }
-
-void RangePanel::resizeEvent(QResizeEvent* /*event*/) { table_->setGeometry(body()); }
 
 }  // namespace leadline::ui

@@ -62,6 +62,15 @@ void draw_mark(QPainter& painter, QPointF centre, const SourceRow& row, const Co
   draw_icon(painter, centre, QString::fromLatin1(name), 13, colours.of(Role::text_2));
 }
 
+template <class Row>
+void show_tip_of_row(const QHelpEvent& help, const std::vector<Row>& rows, QWidget* table) {
+  const auto row = static_cast<std::size_t>(std::max(0, help.y() / kTableRow - 1));
+  if (help.y() >= kTableRow && row < rows.size() && !rows[row].tool_tip.empty())
+    QToolTip::showText(help.globalPos(), q(rows[row].tool_tip), table);
+  else
+    QToolTip::hideText();
+}
+
 }  // namespace
 
 SourcesTable::SourcesTable(QWidget* parent) : QWidget(parent) {
@@ -86,16 +95,9 @@ void SourcesTable::set(const std::vector<SourceRow>& rows) {
 QSize SourcesTable::sizeHint() const { return {320, kTableRow * (static_cast<int>(rows_.size()) + 1)}; }
 
 bool SourcesTable::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) {
-    const auto* help = static_cast<QHelpEvent*>(event);
-    const auto row = static_cast<std::size_t>(std::max(0, help->y() / kTableRow - 1));
-    if (help->y() >= kTableRow && row < rows_.size() && !rows_[row].tool_tip.empty())
-      QToolTip::showText(help->globalPos(), q(rows_[row].tool_tip), this);
-    else
-      QToolTip::hideText();
-    return true;
-  }
-  return QWidget::event(event);
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  show_tip_of_row(static_cast<const QHelpEvent&>(*event), rows_, this);
+  return true;
 }
 
 void SourcesTable::paintEvent(QPaintEvent* /*event*/) {
@@ -147,16 +149,9 @@ void RangeBearingTable::set(const std::vector<RangeRow>& rows) {
 QSize RangeBearingTable::sizeHint() const { return {320, kTableRow * (static_cast<int>(rows_.size()) + 1)}; }
 
 bool RangeBearingTable::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) {
-    const auto* help = static_cast<QHelpEvent*>(event);
-    const auto row = static_cast<std::size_t>(std::max(0, help->y() / kTableRow - 1));
-    if (help->y() >= kTableRow && row < rows_.size() && !rows_[row].tool_tip.empty())
-      QToolTip::showText(help->globalPos(), q(rows_[row].tool_tip), this);
-    else
-      QToolTip::hideText();
-    return true;
-  }
-  return QWidget::event(event);
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  show_tip_of_row(static_cast<const QHelpEvent&>(*event), rows_, this);
+  return true;
 }
 
 void RangeBearingTable::paintEvent(QPaintEvent* /*event*/) {

@@ -54,7 +54,7 @@ class RoundTrip final : public SimulationOutput, private DecoderOutput {
     ++frames;
     damaged_frames += damaged;
     ear.decoder->feed({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, arrival, *this);
-    ear.spoilt = damaged && format() == "trdi-pd0";
+    ear.spoilt = damaged && (format() == "trdi-pd0" || format() == "trdi-pd4");
   }
 
  private:
@@ -83,7 +83,7 @@ class RoundTrip final : public SimulationOutput, private DecoderOutput {
     ASSERT_FALSE(now_->measured.empty());
     ++facts;
     if (device) {
-      const double resolution_s = format() == "trdi-pd0" ? 0.005 : format() == "table" ? 0.0 : 0.005;
+      const double resolution_s = format() == "table" ? 0.0 : 0.005;
       expect("time", seconds(*device - past().device), resolution_s + 1e-9);
     }
     std::visit([&](const auto& fact) { compare(fact); }, message);
@@ -181,7 +181,9 @@ class RoundTrip final : public SimulationOutput, private DecoderOutput {
     }
     EXPECT_TRUE(bottom ? m.bottom : m.water_s.has_value());
     Eigen::Vector3d wanted = bottom ? m.v_s : *m.water_s;
-    double resolution = table() ? 0.0 : bottom && o.high_resolution ? 0.5e-5 : 0.5e-3;
+    const bool fine = bottom && o.high_resolution && format() == "trdi-pd0";
+    double resolution = table() ? 0.0 : fine ? 0.5e-5 : 0.5e-3;
+    const bool trdi = format().substr(0, 4) == "trdi";
     if (format() == "nmea0183") {
       EXPECT_EQ(f.frame, DvlFrame::ship);
       EXPECT_TRUE(f.tilt_applied);
@@ -189,11 +191,16 @@ class RoundTrip final : public SimulationOutput, private DecoderOutput {
       wanted = Rotation<Ned, Instrument>::zyx({m.attitude.roll, m.attitude.pitch, yaw}).matrix() * wanted;
       wanted.z() = 0.0;
       resolution = 0.0005 * 1852 / 3600;
-    } else if (format() == "trdi-pd0" && o.coordinates == "ship") {
+    } else if (format() == "trdi-pd6" && o.coordinates == "ship") {
+      EXPECT_EQ(f.frame, DvlFrame::ship);
+      EXPECT_TRUE(f.tilt_applied);
+      const Angle yaw = Angle::rad(std::atan2(m.C_bs(1, 0), m.C_bs(0, 0)));
+      wanted = Rotation<Ned, Instrument>::zyx({m.attitude.roll, m.attitude.pitch, yaw}).matrix() * wanted;
+    } else if (trdi && o.coordinates == "ship") {
       EXPECT_EQ(f.frame, DvlFrame::ship);
       EXPECT_FALSE(f.tilt_applied);
       wanted = m.C_bs * wanted;
-    } else if (format() == "trdi-pd0" && o.coordinates == "earth") {
+    } else if (trdi && o.coordinates == "earth") {
       EXPECT_EQ(f.frame, DvlFrame::earth);
       wanted = Rotation<Ned, Instrument>::zyx(m.attitude).matrix() * wanted;
     } else {

@@ -97,6 +97,41 @@ TEST(Telegrams, Pd0SaysWhatWasMeasuredInAllItsCoordinates) {
     }
 }
 
+TEST(Telegrams, Pd4Pd5AndPd6SayWhatWasMeasuredInAllTheirCoordinates) {
+  DvlOptions errors{.noise_mps = 0.02,
+                    .beam_loss_share = 0.1,
+                    .range_noise_percent = 1,
+                    .water_track = true,
+                    .water_noise_mps = 0.02,
+                    .tilt_noise_deg = 0.3};
+  for (const std::string format : {"trdi-pd4", "trdi-pd6"})
+    for (const std::string coordinates : {"instrument", "ship", "earth"})
+      for (const bool told : {false, true}) {
+        errors.coordinates = coordinates, errors.attitude_told = errors.depth_told = told;
+        SensorSetup sensor = sensor_of("dvl", errors, format);
+        sensor.mount = {.pitch_deg = 2.0, .yaw_deg = 45.0};
+        const auto trip = heard(sensor);
+        const std::string which = format + " " + coordinates;
+        const auto& bottom = trip.worst.at("it bottom velocity, m/s");
+        EXPECT_GT(bottom.count, 350) << which;
+        EXPECT_LT(bottom.count, 420) << which << ": some lock is lost with two beams";
+        EXPECT_GT(bottom.error, 0.5 * bottom.resolution) << which;
+        EXPECT_EQ(trip.worst.at("it water velocity, m/s").count, 420) << which;
+        EXPECT_GT(trip.worst.at("it altitude, m").count, 350) << which;
+        EXPECT_EQ(trip.worst.count("it heading, deg"), told ? 1u : 0u) << which;
+        EXPECT_EQ(trip.worst.count("it depth, m"), told ? 1u : 0u) << which;
+        EXPECT_EQ(trip.worst.at("it clock").count, 420) << which;
+      }
+}
+
+TEST(Telegrams, Pd4AndPd6CannotSayBeamVelocities) {
+  for (const std::string format : {"trdi-pd4", "trdi-pd6"}) {
+    SensorSetup sensor = sensor_of("dvl", DvlOptions{}, format);
+    sensor.errors = DvlOptions{.coordinates = "beam"};
+    EXPECT_EQ(check_sensor(sensor).size(), 1u) << format;
+  }
+}
+
 TEST(Telegrams, ADvlSpeaksVbwAndTables) {
   const DvlOptions errors{.noise_mps = 0.02, .water_track = true};
   EXPECT_EQ(heard(sensor_of("dvl", errors, "nmea0183")).worst.at("it bottom velocity, m/s").count, 420);
@@ -173,6 +208,10 @@ TEST(Telegrams, OfADamagedScenarioAreRefusedAndNothingElseIs) {
   SensorSetup dvl = sensor_of("dvl", DvlOptions{});
   dvl.faults = {{.kind = "garbage", .from_s = 30.0, .until_s = 40.0, .bytes = 40}};
   EXPECT_EQ(heard(dvl).worst.at("it bottom velocity, m/s").count, 420) << "ensembles are found in rubbish";
+  for (const std::string format : {"trdi-pd4", "trdi-pd6"}) {
+    dvl.options.format = format;
+    EXPECT_EQ(heard(dvl).worst.at("it bottom velocity, m/s").count, 420) << format;
+  }
 }
 
 }  // namespace

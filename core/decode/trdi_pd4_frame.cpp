@@ -1,0 +1,49 @@
+#include "core/decode/trdi_pd4_frame.h"
+
+#include "core/decode/trdi_pd0_fields.h"
+
+namespace leadline::decode {
+
+int Pd4Frame::beams_low() const {
+  int low = 0;
+  for (int beam = 0; beam < 4; ++beam) low += (bottom_status >> 2 * beam & 3) != 0;
+  return low;
+}
+
+Pd4Frame read_pd4_frame(std::span<const std::uint8_t> b) {
+  Pd4Frame f;
+  f.configuration = b[4];
+  for (std::size_t i = 0; i < 4; ++i) {
+    f.bottom_mmps[i] = le_i16(b, 5 + 2 * i);
+    f.range_cm[i] = le_u16(b, 13 + 2 * i);
+    f.water_mmps[i] = le_i16(b, 22 + 2 * i);
+  }
+  f.bottom_status = b[21];
+  f.layer_start_dm = le_u16(b, 30), f.layer_end_dm = le_u16(b, 32);
+  f.water_status = b[34];
+  f.hour = b[35], f.minute = b[36], f.second = b[37], f.hundredths = b[38];
+  f.built_in_test = le_u16(b, 39);
+  f.sound_speed_mps = le_u16(b, 41);
+  f.temperature_cdegc = le_i16(b, 43);
+  if (b.size() == kPd5Bytes) {
+    Pd4Frame::Attitude a;  // byte 45 is the salinity
+    a.depth_dm = le_u16(b, 46);
+    a.pitch_cdeg = le_i16(b, 48), a.roll_cdeg = le_i16(b, 50), a.heading_cdeg = le_u16(b, 52);
+    f.attitude = a;
+  }
+  return f;
+}
+
+Pd4Start pd4_start(std::span<const std::uint8_t> b) {
+  if (b.empty() || b[0] != 0x7D) return Pd4Start::none;
+  if (b.size() >= 2 && b[1] > 1) return Pd4Start::none;
+  if (b.size() >= 3) {
+    const std::size_t whole = b[1] == 0 ? kPd4Bytes : kPd5Bytes;
+    if (b[2] < whole - 2 || b[2] > whole) return Pd4Start::none;
+  }
+  if (b.size() < 4) return Pd4Start::partial;
+  if (b[3] != 0) return Pd4Start::none;
+  return b[1] == 0 ? Pd4Start::pd4 : Pd4Start::pd5;
+}
+
+}  // namespace leadline::decode

@@ -124,6 +124,8 @@ int run(int argc, char** argv) {
   simulate_verb->add_option("--seed", simulating.seed, "of the noise, instead of the scenario's")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
+  simulate_verb->add_flag("--live", simulating.live,
+                          "send each sensor's telegrams over its link in real time");
   simulate_verb->footer("Example: leadline simulate tests/data/scenarios/deep-survey.toml --output sim");
 
   std::string what;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/config/document.h"
+#include "core/links/link_address.h"
 
 namespace leadline::app {
 namespace {
@@ -44,6 +45,9 @@ sim::SensorSetup read_sensor(config::Table& table) {
   table.table("mount_error").read(bind(mount_keys(), sensor.mount_error));
   if (table.require("name") && !good_name(sensor.options.name))
     table.report("name", "may hold letters, digits, _ and - only, 64 at most");
+  if (!sensor.options.link.empty())
+    if (const auto link = links::parse_link(sensor.options.link); !link)
+      table.report("link", link.error().line());
   auto faults = table.tables("fault");
   for (auto& fault : faults) {
     fault.read(bind(sim::fault_keys(), sensor.faults.emplace_back()));

@@ -10,9 +10,12 @@
 #include <memory>
 #include <vector>
 
+#include "app/interrupt.h"
+#include "app/live_sending.h"
 #include "app/magnetic_models.h"
 #include "app/scenario_file.h"
 #include "app/talk.h"
+#include "core/links/link_address.h"
 #include "core/sim/simulation.h"
 #include "sessions/export/solution_csv.h"
 
@@ -59,14 +62,19 @@ bool is_line(std::string_view bytes) {
 }
 
 const char* ending_of(const std::string& format) {
-  return format == "trdi-pd0" ? ".pd0" : format == "table" ? ".csv" : ".nmea";
+  return format == "trdi-pd0"   ? ".pd0"
+         : format == "trdi-pd4" ? ".pd4"
+         : format == "trdi-pd6" ? ".pd6"
+         : format == "table"    ? ".csv"
+                                : ".nmea";
 }
 
 /// Puts a simulation into its folder.
 class FolderOutput final : public sim::SimulationOutput {
  public:
-  FolderOutput(const std::string& folder, const sim::Scenario& scenario, sessions::SolutionCsv& truth)
-      : tlog_(folder + "/telegrams.tlog"), truth_(truth) {
+  FolderOutput(const std::string& folder, const sim::Scenario& scenario, sessions::SolutionCsv& truth,
+               LiveSending* live)
+      : tlog_(folder + "/telegrams.tlog"), truth_(truth), live_(live) {
     for (const auto& sensor : scenario.sensors) {
       names_.push_back(sensor.options.name);
       files_.push_back(std::make_unique<OutputFile>(folder + "/" + sensor.options.name +
@@ -86,6 +94,7 @@ class FolderOutput final : public sim::SimulationOutput {
   }
 
   void telegram(std::size_t sensor, Arrival arrival, std::string_view bytes, bool) override {
+    if (live_ && !live_->send(sensor, arrival, bytes)) return;  // what was not sent is not kept
     ++frames;
     append(files_[sensor]->buffer(), bytes);
     auto& log = tlog_.buffer();
@@ -101,6 +110,8 @@ class FolderOutput final : public sim::SimulationOutput {
     log.push_back('\n');
   }
 
+  bool go_on() override { return !live_ || !interrupted(); }
+
   Result<void> close() {
     for (auto& file : files_)
       if (auto closed = file->close(); !closed) return closed;
@@ -113,6 +124,7 @@ class FolderOutput final : public sim::SimulationOutput {
  private:
   OutputFile tlog_;
   sessions::SolutionCsv& truth_;
+  LiveSending* live_;
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<OutputFile>> files_;
   Body body_;
@@ -132,6 +144,24 @@ std::vector<std::string> truth_names(const sim::Scenario& scenario) {
   return names;
 }
 
+/// Where whoever listens to the live sensors hears each of them.
+std::vector<std::string> receiving_links(const sim::Scenario& scenario) {
+  std::vector<std::string> receiving;
+  for (const auto& sensor : scenario.sensors) {
+    std::string& link = receiving.emplace_back();
+    if (sensor.options.link.empty()) continue;
+    const auto sending = links::parse_link(sensor.options.link);
+    LL_EXPECT(sending.ok());  // checked when the scenario was read
+    const auto other = links::receiving_side(sending.value());
+    if (other)
+      link = other->text();
+    else
+      note(fmt::format("{} has no link in leadline.toml: name the device at the other end of {} there",
+                       sensor.options.name, sensor.options.link));
+  }
+  return receiving;
+}
+
 bool needs_magnetic(const sim::Scenario& scenario) {
   return std::any_of(scenario.sensors.begin(), scenario.sensors.end(), [](const auto& sensor) {
     const auto* const compass = std::get_if<sim::CompassOptions>(&sensor.errors);
@@ -147,6 +177,12 @@ Exit simulate(const SimulateOptions& options) {
   for (const auto& problem : loaded.problems) failure(problem);
   if (!loaded.problems.empty()) return Exit::misused;
   const sim::Scenario& scenario = loaded.scenario;
+
+  if (options.live && std::all_of(scenario.sensors.begin(), scenario.sensors.end(),
+                                  [](const auto& sensor) { return sensor.options.link.empty(); }))
+    return failed({"no sensor has a link to be sent over", options.scenario,
+                   "give each [[sensor]] one: link = \"udp://127.0.0.1:4001\""},
+                  Exit::misused);
 
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -164,11 +200,21 @@ Exit simulate(const SimulateOptions& options) {
 
   const auto seed = static_cast<std::uint64_t>(options.seed.value_or(scenario.options.seed));
   sim::Simulation simulation(scenario, seed, magnetic ? &*magnetic : nullptr);
-  FolderOutput out(options.output, scenario, truth.value());
+  std::unique_ptr<LiveSending> live;
+  if (options.live) {
+    catch_interrupts();
+    auto opened = LiveSending::open(scenario);
+    if (!opened) return failed(opened.error());
+    live = std::move(opened).value();
+  }
+  FolderOutput out(options.output, scenario, truth.value(), live.get());
   OutputFile configuration(options.output + "/leadline.toml");
-  append(configuration.buffer(), sim::replay_configuration(scenario, simulation.at_start()));
+  append(configuration.buffer(),
+         sim::replay_configuration(scenario, simulation.at_start(), receiving_links(scenario)));
   if (const auto closed = configuration.close(); !closed) return failed(closed.error());
+  if (live) live->begin();
   simulation.run(out);
+  if (live) live->finish();
   if (const auto closed = out.close(); !closed) return failed(closed.error());
   for (std::size_t i = 0; i < names.size(); ++i)  // a truth has no fixes
     fs::remove(options.output + (i == 0 ? "/fixes.csv" : "/" + names[i] + "_fixes.csv"), ignored);
@@ -176,7 +222,7 @@ Exit simulate(const SimulateOptions& options) {
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   note(fmt::format("{} frames of {} sensors over {} s written to {} in {:.1f} s, seed {}", out.frames,
                    scenario.sensors.size(), scenario.options.duration_s, options.output, wall_s, seed));
-  return Exit::done;
+  return live && interrupted() ? Exit::interrupted : Exit::done;
 }
 
 }  // namespace leadline::app

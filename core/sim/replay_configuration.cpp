@@ -79,10 +79,11 @@ void write_initial(const Truth& truth, Toml& toml) {
   toml.key("heading_deg", truth.attitude.heading.deg());
 }
 
-void write_source(const SensorSetup& sensor, Toml& toml) {
+void write_source(const SensorSetup& sensor, const std::string& link, Toml& toml) {
   const SensorOptions& o = sensor.options;
   toml.table("[[source]]");
   toml.key("name", o.name);
+  if (!link.empty()) toml.key("link", link);
   toml.key("decoder", format_of(sensor));
   const auto* const usbl = std::get_if<UsblOptions>(&sensor.errors);
   toml.key("body", usbl ? usbl->of : o.body);  // a fix is its transponder's, whoever hears it
@@ -102,7 +103,8 @@ void write_source(const SensorSetup& sensor, Toml& toml) {
 
 }  // namespace
 
-std::string replay_configuration(const Scenario& scenario, const Truth& at_start) {
+std::string replay_configuration(const Scenario& scenario, const Truth& at_start,
+                                 std::span<const std::string> links) {
   Toml toml;
   toml.text = fmt::format(
       "# Replays what the scenario \"{}\" says: leadline replay telegrams.tlog --config leadline.toml\n",
@@ -116,7 +118,8 @@ std::string replay_configuration(const Scenario& scenario, const Truth& at_start
   write_aiding(scenario, toml);
   write_imu(scenario, toml);
   if (scenario.options.initial_known) write_initial(at_start, toml);
-  for (const auto& sensor : scenario.sensors) write_source(sensor, toml);
+  for (std::size_t i = 0; i < scenario.sensors.size(); ++i)
+    write_source(scenario.sensors[i], i < links.size() ? links[i] : std::string(), toml);
   return std::move(toml.text);
 }
 

@@ -35,6 +35,8 @@ struct Scenario {
 
 /// The leadline.toml that replays what a scenario's sensors say: sources by their names, nominal mounts, what
 /// is known of clocks and latencies, sigmas of the aiding. at_start: the truth that `initial_known` gives.
-[[nodiscard]] std::string replay_configuration(const Scenario& scenario, const Truth& at_start);
+/// links: where each sensor is heard live, by its place in the scenario; empty: nowhere.
+[[nodiscard]] std::string replay_configuration(const Scenario& scenario, const Truth& at_start,
+                                               std::span<const std::string> links = {});
 
 }  // namespace leadline::sim

@@ -8,6 +8,8 @@
 #include "core/sim/sensors/faults.h"
 #include "core/sim/telegrams/nmea_writer.h"
 #include "core/sim/telegrams/pd0_writer.h"
+#include "core/sim/telegrams/pd4_writer.h"
+#include "core/sim/telegrams/pd6_writer.h"
 #include "core/sim/telegrams/table_writer.h"
 
 namespace leadline::sim {
@@ -129,14 +131,14 @@ struct Simulation::World {
     const double end_s = scenario.options.duration_s;
     for (std::int64_t k = 0;; ++k) {
       const double from_s = static_cast<double>(k) * scenario.options.step_s;
-      if (from_s > end_s + kTime_s) break;
+      if (from_s > end_s + kTime_s || !out.go_on()) break;
       if (k > 0)
         for (auto* body : {&vehicle, &ship, &target})
           if (*body) (*body)->step();
       const double to_s = static_cast<double>(k + 1) * scenario.options.step_s;
       tell_step(from_s, to_s, end_s, out);
     }
-    while (!heard.empty()) hand_on(out);
+    while (!heard.empty() && out.go_on()) hand_on(out);
   }
 
   /// Everything that happens from one point of the grid until just before the next.
@@ -217,25 +219,34 @@ struct Simulation::World {
 
   void write(const Sensor& instrument, Time device, const Measurement& measurement) {
     telegrams.clear();
+    const auto write_dvl = [&](auto writer) {
+      writer(std::get<DvlOptions>(instrument.setup->errors), device, std::get<DvlMeasurement>(measurement),
+             telegrams);
+    };
     if (instrument.format == "trdi-pd0")
-      write_pd0(std::get<DvlOptions>(instrument.setup->errors), device, std::get<DvlMeasurement>(measurement),
-                telegrams);
+      write_dvl(write_pd0);
+    else if (instrument.format == "trdi-pd4")
+      write_dvl(write_pd4);
+    else if (instrument.format == "trdi-pd6")
+      write_dvl(write_pd6);
     else if (instrument.format == "table")
       write_row(*instrument.setup, device, measurement, telegrams);
     else
       write_nmea(*instrument.setup, instrument.sentences, device, measurement, telegrams);
   }
 
+  static bool is_binary(const std::string& format) { return format == "trdi-pd0" || format == "trdi-pd4"; }
+
   static std::string garbage(Sensor& instrument, std::int64_t count) {
     std::string bytes;
     for (; count > 0; --count) bytes.push_back(static_cast<char>(instrument.line.byte()));
-    if (instrument.format != "trdi-pd0") bytes += "\r\n";  // so that it spoils nothing but itself
+    if (!is_binary(instrument.format)) bytes += "\r\n";  // so that it spoils nothing but itself
     return bytes;
   }
 
   /// Turns one bit of what the checksum guards.
   static void corrupt(Sensor& instrument, std::string& bytes) {
-    const std::size_t guarded = bytes.size() - (instrument.format == "trdi-pd0" ? 2 : 5);
+    const std::size_t guarded = bytes.size() - (is_binary(instrument.format) ? 2 : 5);
     const std::size_t at =
         1 + static_cast<std::size_t>(instrument.line.uniform() * static_cast<double>(guarded - 1));
     bytes[at] = static_cast<char>(bytes[at] ^ 0x01);

@@ -24,6 +24,8 @@ class SimulationOutput {
   virtual void measured(std::size_t /*sensor*/, Time /*t*/, Time /*device*/, const Measurement& /*m*/) {}
   /// One frame as it is heard. damaged: made to be refused or skipped.
   virtual void telegram(std::size_t sensor, Arrival arrival, std::string_view bytes, bool damaged) = 0;
+  /// Asked at every step; false ends the simulation there.
+  virtual bool go_on() { return true; }
 };
 
 /// Truth, sensors and telegrams of a scenario. A pure function of scenario and seed: the same bytes again

@@ -23,7 +23,7 @@ const std::vector<Kind>& kinds() {
       {"usbl",
        {"nmea0183"},
        {"PSIMSSB-H", "PSIMSSB-N", "PSIMSSB-E", "PSIMSSB-R", "PSIMSSB-U", "PTSAG", "PTSAX"}},
-      {"dvl", {"trdi-pd0", "nmea0183", "table"}, {"VBW"}},
+      {"dvl", {"trdi-pd0", "trdi-pd4", "trdi-pd6", "nmea0183", "table"}, {"VBW"}},
       {"ahrs", {"nmea0183", "table"}, {"PASHR", "HDT", "THS", "ROT", "PRDID", "PSXN", "XDR"}},
       {"compass", {"nmea0183", "table"}, {"HDG", "HDM"}},
       {"imu", {"table"}, {}, 0},
@@ -69,7 +69,7 @@ void check_usbl(const SensorSetup& sensor, const UsblOptions& o, std::vector<Sen
 
 std::span<const Key<SensorOptions>> sensor_keys() {
   using O = SensorOptions;
-  static const std::array<Key<O>, 13> keys{{
+  static const std::array<Key<O>, 14> keys{{
       {"name", &O::name, "of the source in the log"},
       {"kind",
        &O::kind,
@@ -83,9 +83,10 @@ std::span<const Key<SensorOptions>> sensor_keys() {
        "how it speaks; left out: as its kind usually does",
        0,
        0,
-       {"nmea0183", "trdi-pd0", "table"}},
+       {"nmea0183", "trdi-pd0", "trdi-pd4", "trdi-pd6", "table"}},
       {"sentences", &O::sentences, "of NMEA 0183; left out: the usual ones"},
       {"talker", &O::talker, "of standard sentences; left out: the usual one"},
+      {"link", &O::link, "where it is sent with --live; left out: it is not"},
       {"rate_hz", &O::rate_hz, "measurements a second", 1e-4, 2000},
       {"first_s", &O::first_s, "the first measurement, after the start", 0, 1e7},
       {"latency_s", &O::latency_s, "from the measurement until it is heard", 0, 1000},
@@ -182,6 +183,9 @@ std::vector<SensorProblem> check_sensor(const SensorSetup& sensor) {
   if (const auto* dvl = std::get_if<DvlOptions>(&sensor.errors))
     if (format_of(sensor) == "trdi-pd0" && dvl->beam_angle_deg != std::floor(dvl->beam_angle_deg))
       problems.push_back({"beam_angle_deg", "must be whole degrees in PD0"});
+  if (const auto* dvl = std::get_if<DvlOptions>(&sensor.errors))
+    if (dvl->coordinates == "beam" && (format_of(sensor) == "trdi-pd4" || format_of(sensor) == "trdi-pd6"))
+      problems.push_back({"coordinates", "only PD0 can send beam coordinates"});
   return problems;
 }
 
@@ -196,6 +200,8 @@ std::optional<SensorProblem> check_fault(const SensorSetup& sensor, const FaultO
   if (fault.kind == "jump" && kind == "imu") return SensorProblem{"kind", "an imu cannot jump"};
   if (fault.kind == "corrupt" && format_of(sensor) == "table")
     return SensorProblem{"kind", "a table has no checksum: a turned bit would pass for data"};
+  if (fault.kind == "corrupt" && format_of(sensor) == "trdi-pd6")
+    return SensorProblem{"kind", "PD6 has no checksum: a turned bit would pass for data"};
   return std::nullopt;
 }
 

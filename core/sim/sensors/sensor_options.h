@@ -26,6 +26,7 @@ struct SensorOptions {
   std::string format;
   std::vector<std::string> sentences;
   std::string talker;
+  std::string link;
   double rate_hz = 1.0, first_s = 0.0;
   double latency_s = 0.0, jitter_s = 0.0;
   double clock_offset_s = 0.0, clock_drift_ppm = 0.0;

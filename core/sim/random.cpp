@@ -42,6 +42,18 @@ double Random::normal() {
   return radius * std::cos(angle);
 }
 
+Eigen::Vector2d Random::normal2() {
+  Eigen::Vector2d drawn;
+  for (double& value : drawn) value = normal();
+  return drawn;
+}
+
+Eigen::Vector3d Random::normal3() {
+  Eigen::Vector3d drawn;
+  for (double& value : drawn) value = normal();
+  return drawn;
+}
+
 double GaussMarkov::advance(double dt_s, Random& random) {
   if (tau_s_ <= 0.0 || dt_s <= 0.0) return value_;
   const double kept = std::exp(-dt_s / tau_s_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string_view>
 
@@ -18,6 +19,9 @@ class Random {
   [[nodiscard]] bool chance(double share) { return uniform() < share; }
   /// Mean 0, sigma 1.
   [[nodiscard]] double normal();
+  /// Drawn one after the other: as arguments of one call their order would be the compiler's.
+  [[nodiscard]] Eigen::Vector2d normal2();
+  [[nodiscard]] Eigen::Vector3d normal3();
   [[nodiscard]] std::uint8_t byte() { return static_cast<std::uint8_t>(next() >> 24U); }
 
  private:

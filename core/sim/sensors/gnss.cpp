@@ -26,11 +26,14 @@ GnssMeasurement Gnss::measure(const View& view) {
   m.sd_height_m = o.height_noise_m * grown;
 
   // Every number is drawn whether it is used or not: what is lost does not move what comes after.
-  const double n = random_.normal() * o.drms_m * std::sqrt(0.5) * grown + north_.advance(dt_s, random_);
-  const double e = random_.normal() * o.drms_m * std::sqrt(0.5) * grown + east_.advance(dt_s, random_);
+  // One draw a statement: the order of draws within one is the compiler's.
+  const double white_m = o.drms_m * std::sqrt(0.5) * grown;
+  double n = random_.normal() * white_m;
+  n += north_.advance(dt_s, random_);
+  double e = random_.normal() * white_m;
+  e += east_.advance(dt_s, random_);
   const double up = random_.normal() * m.sd_height_m;
-  const Eigen::Vector2d v =
-      view.v_n.head<2>() + Eigen::Vector2d(random_.normal(), random_.normal()) * o.speed_noise_mps;
+  const Eigen::Vector2d v = view.v_n.head<2>() + random_.normal2() * o.speed_noise_mps;
   const double chance = random_.uniform(), length = random_.uniform();
   if (t_s >= lost_until_s_ && o.dropout_share > 0.0) {
     // Lost for a share of the time: outages of this mean length begin at this rate.

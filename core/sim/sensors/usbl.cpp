@@ -46,12 +46,14 @@ UsblMeasurement Usbl::measure(const View& transceiver, const Truth& other) {
 
   // The device levels by a motion sensor of its own, whose errors tilt the line of sight.
   const double tilt_rad = o.tilt_noise_deg * kRadPerDeg;
-  const Eigen::Vector3d tilt(random_.normal() * tilt_rad, random_.normal() * tilt_rad,
-                             random_.normal() * o.heading_noise_deg * kRadPerDeg);
+  const Eigen::Vector3d tilt =
+      random_.normal3().cwiseProduct(Eigen::Vector3d(tilt_rad, tilt_rad, o.heading_noise_deg * kRadPerDeg));
   const Eigen::Vector3d seen_n = (line_n + tilt.cross(line_n)) * (1.0 + 0.01 * o.sound_speed_error_percent);
   const double sd_axis_m = white_m * std::sqrt(0.5);
-  const Eigen::Vector2d white(random_.normal() * sd_axis_m, random_.normal() * sd_axis_m);
-  const Eigen::Vector2d wander(north_.advance(dt_s, random_), east_.advance(dt_s, random_));
+  const Eigen::Vector2d white = random_.normal2() * sd_axis_m;
+  Eigen::Vector2d wander;
+  wander.x() = north_.advance(dt_s, random_);
+  wander.y() = east_.advance(dt_s, random_);
   m.outlier = random_.chance(o.outlier_share);
   const double away_m = random_.uniform(o.outlier_from_m, o.outlier_to_m);
   const double towards = random_.uniform(0.0, 2.0 * kPi);

@@ -310,7 +310,9 @@ TEST(Recorder, WithoutMemoryFactsGoFirstThenFramesAndTheLossIsCounted) {
     const FullDisk full(4096);
     for (int i = 0; i < 2300; ++i) pair();
     EXPECT_GT(recorder->status().facts_left_out, 0U);
-    EXPECT_EQ(recorder->status().frames_left_out, 0U);
+    // What the writer holds at this moment cannot be taken back, so a few frames may go, but never before
+    // facts.
+    EXPECT_LT(recorder->status().frames_left_out, recorder->status().facts_left_out);
     for (int i = 0; i < 5000; ++i) pair();
     EXPECT_GT(recorder->status().frames_left_out, 0U);
     EXPECT_LE(recorder->status().waiting_bytes, options.memory_bytes);

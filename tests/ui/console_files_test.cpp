@@ -8,6 +8,7 @@
 
 #include "core/geo/geodesy.h"
 #include "sessions/recorder/recorder.h"
+#include "tests/support/picture.h"
 #include "tests/support/program.h"
 
 namespace leadline {
@@ -76,6 +77,27 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"DateLine", Geodetic{Angle::deg(-17.0), Angle::deg(179.999)}},
                     std::pair{"Arctic", Geodetic{Angle::deg(89.0), Angle::deg(10.0)}}),
     place_name);
+
+TEST(Console, TheRecordingsLookAsTheyDid) {
+  const std::string folder = test::scratch_folder(), data = LEADLINE_TEST_DATA;
+  const std::string nbp = data + "/nmea_openrvdas_nbp1406/NBP1406_", day = "-2014-08-01";
+  const auto shown = [&](const std::string& name, const std::string& inputs, const std::string& words) {
+    const std::string session = folder + "/" + name + ".leadline", picture = folder + "/" + name + ".png";
+    const auto kept =
+        test::leadline("replay --quiet --config " + data + "/demo/" + name +
+                       ".toml --engine fusion --engine dead-reckoning --session " + session + " " + inputs);
+    ASSERT_TRUE(kept.status == 0 || kept.status == 3) << kept.err;
+    const auto ran = test::leadline("console --session " + session + " --size 1280x800 " + words +
+                                    " --screenshot " + picture);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    test::expect_picture(QImage(QString::fromStdString(picture)), "recording_" + name);
+  };
+  shown("palmer",
+        "s330=" + nbp + "s330" + day + " gyr1=" + nbp + "gyr1" + day + " gp02=" + nbp + "gp02" + day +
+            " adcp=" + nbp + "adcp" + day,
+        "--palette day --after 600");
+  shown("riverpro", "adcp=" + data + "/dvl_pd0_adcp/RiverPro_test01.PD0", "--palette night");
+}
 
 TEST(Console, ABrokenChartIsABrokenLayerAndNotACrash) {
   const std::string folder = test::scratch_folder();

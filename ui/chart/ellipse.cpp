@@ -68,10 +68,6 @@ bool draw_sigma_ellipse(QPainter& painter, const ChartView& view, Geodetic at, c
   return true;
 }
 
-double doubt_radius_m(double sigma_m, double last_speed_mps, double age_s) {
-  return sigma_m + (last_speed_mps + 0.1) * std::max(age_s, 0.0);
-}
-
 void draw_doubt(QPainter& painter, QPointF at, double radius_px, SymbolState state, Role role,
                 const Colours& colours) {
   if (state == SymbolState::live || !(radius_px >= 10.0)) return;

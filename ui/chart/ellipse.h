@@ -22,8 +22,6 @@ struct SigmaEllipse {
 bool draw_sigma_ellipse(QPainter& painter, const ChartView& view, Geodetic at, const SigmaEllipse& ellipse,
                         Role role, const Colours& colours);
 
-/// How far a body may be from where it was last seen: sigma + (last speed + 0.1 m/s) x age.
-[[nodiscard]] double doubt_radius_m(double sigma_m, double last_speed_mps, double age_s);
 /// The dotted circle round a stale or lost symbol; nothing round a live one, or when it hides in the symbol.
 void draw_doubt(QPainter& painter, QPointF at, double radius_px, SymbolState state, Role role,
                 const Colours& colours);

@@ -156,7 +156,7 @@ void LiveLayer::paint(QPainter& painter, const ChartView& view, const Snapshot& 
       continue;
     }
     const double doubt_px =
-        doubt_radius_m(figure.sigma_m, figure.speed_mps, figure.age_s) / view.metres_per_px();
+        grown_sigma_m(figure.sigma_m, figure.speed_mps, duration(figure.age_s)) / view.metres_per_px();
     draw_doubt(painter, figure.at, doubt_px, figure.state, figure.role, colours);
     if (figure.solution != nullptr) draw_ahead(painter, view, figure, colours, obstacles.lines);
   }
@@ -165,7 +165,7 @@ void LiveLayer::paint(QPainter& painter, const ChartView& view, const Snapshot& 
     draw_symbol(painter, view, figure, colours);
     if (figure.state != SymbolState::live) {
       const double doubt_px =
-          doubt_radius_m(figure.sigma_m, figure.speed_mps, figure.age_s) / view.metres_per_px();
+          grown_sigma_m(figure.sigma_m, figure.speed_mps, duration(figure.age_s)) / view.metres_per_px();
       const std::string text = figure.state == SymbolState::stale
                                    ? age_text(duration(figure.age_s))
                                    : "last " + time_text(snapshot.now - duration(figure.age_s));

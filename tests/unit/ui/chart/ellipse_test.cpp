@@ -83,11 +83,6 @@ TEST(Ellipse, ASmallOneIsLeftToItsFigure) {
   EXPECT_TRUE(draw_sigma_ellipse(painter, view, at, {10.1, 5.0, Angle()}, Role::target, day));
 }
 
-TEST(Ellipse, DoubtGrowsWithAge) {
-  EXPECT_DOUBLE_EQ(doubt_radius_m(0.6, 1.4, 0.0), 0.6);
-  EXPECT_DOUBLE_EQ(doubt_radius_m(0.6, 1.4, 14.0), 0.6 + 1.5 * 14.0);
-}
-
 TEST(Ellipse, TheDoubtOfALostBodyHasNoFill) {
   const Colours day(Palette::day);
   const auto middle = [&](SymbolState state) {

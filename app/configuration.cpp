@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "app/outputs.h"
 #include "core/config/document.h"
 #include "core/config/render.h"
 #include "core/decode/registry.h"
@@ -38,6 +39,11 @@ bool good_name(const std::string& name) {
   });
 }
 
+/// The keys of one decoder's profile.
+std::vector<BoundKey> profile_of(const std::string& decoder, decode::ProfileOptions& options) {
+  return bind(std::span<const Key<decode::ProfileOptions>>(decode::profile_keys(decoder)), options);
+}
+
 SourceConfiguration read_source(config::Table table, const PluginHost& plugins) {
   SourceConfiguration source;
   auto& options = source.options;
@@ -48,6 +54,7 @@ SourceConfiguration read_source(config::Table table, const PluginHost& plugins) 
     table.report("name", "may hold letters, digits, _ - and . only, 64 at most");
   if (!table.require("decoder")) return source;
   if (options.decoder == "table") table.read(bind(decode::table_keys(), source.table));
+  table.read(profile_of(options.decoder, source.profile));
   source.plugin = plugins.source_settings(options.decoder);
   if (source.plugin) table.read(source.plugin->keys());
   const auto decoder = decoder_of(source, plugins, decoder_settings(options));
@@ -84,6 +91,29 @@ void check_initial(config::Table& initial, const InitialOptions& options) {
     initial.report(options.lat_deg ? "lat_deg" : "lon_deg", "needs both lat_deg and lon_deg");
   if (options.depth_m && options.ellipsoid_height_m)
     initial.report("ellipsoid_height_m", "stands beside depth_m; give one of them");
+}
+
+/// The other decoders that have a profile, a [[source]] of its name each.
+std::string profiles(const std::string& shown) {
+  std::string text;
+  for (const auto& decoder : decode::decoders()) {
+    decode::ProfileOptions options;
+    const auto keys = profile_of(std::string(decoder.name), options);
+    if (keys.empty() || decoder.name == shown) continue;
+    SourceOptions source{.name = std::string(decoder.name), .decoder = std::string(decoder.name)};
+    std::vector<BoundKey> named;
+    for (const auto& key : bind(source_keys(), source))
+      if (key.name == "name" || key.name == "decoder") named.push_back(key);
+    text += "\n" + config::render("[[source]]", named) + config::render("", keys);
+  }
+  return text;
+}
+
+void check_outputs(config::Table& root, const Configuration& configuration) {
+  auto tables = root.tables("output");
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    for (const auto& problem : check_output(configuration.outputs[i], configuration))
+      tables[i].report(problem.key, problem.text);
 }
 
 EulerAngles euler(double roll_deg, double pitch_deg, double yaw_deg) {
@@ -123,6 +153,7 @@ LoadedConfiguration read(config::Document document, const std::string& file, con
     }
     for (auto& table : root.tables("output")) table.read(bind(output_keys(), c.outputs.emplace_back()));
     check_names(root, c);
+    check_outputs(root, c);
     document.finish();
   }
   for (const auto& problem : document.problems()) loaded.problems.push_back(problem.line_text());
@@ -143,7 +174,7 @@ LoadedConfiguration parse_configuration(const std::string& text, const std::stri
 Result<std::unique_ptr<Decoder>> decoder_of(const SourceConfiguration& source, const PluginHost& plugins,
                                             const DecoderSettings& settings) {
   if (source.plugin) return plugins.make_decoder(source.options.decoder, settings, source.plugin);
-  return decode::make_decoder(source.options.decoder, settings, source.table);
+  return decode::make_decoder(source.options.decoder, settings, source.table, source.profile);
 }
 
 std::string example_configuration(const PluginHost& plugins) {
@@ -156,6 +187,7 @@ std::string example_configuration(const PluginHost& plugins) {
   SourceOptions rows{.name = "log", .decoder = "table"};
   MountOptions mount;
   decode::TableOptions table{.columns = {"unix_s", "lat_deg", "lon_deg", "heading_deg", "-"}};
+  decode::ProfileOptions profile;
   CalibrationOptions calibration{.source = "dvl"};
   std::string text = "# A Leadline configuration: every key with its default.\n";
   text += config::render("", bind(file_keys(), file));
@@ -170,12 +202,18 @@ std::string example_configuration(const PluginHost& plugins) {
   text +=
       "\n# One [[source]] for each instrument; the first of several alike is preferred while it is alive.\n";
   text += config::render("[[source]]", bind(source_keys(), gnss));
+  text += config::render("", profile_of(gnss.decoder, profile));
   text += "\n" + config::render("[[source]]", bind(source_keys(), dvl));
   text += "\n# v_b = Rz(yaw) Ry(pitch) Rx(roll) v_s\n" +
           config::render("[source.mount]", bind(mount_keys(), mount));
   text += "\n" + config::render("[[source]]", bind(source_keys(), rows));
   text += config::render("", bind(decode::table_keys(), table));
+  text += profiles(gnss.decoder);
   text += "\n" + config::render("[[calibration]]", bind(calibration_keys(), calibration));
+  OutputOptions output{
+      .name = "repeater", .link = "udp://127.0.0.1:10110", .sentences = {"GGA", "RMC", "HDT", "DPT"}};
+  text += "\n# Sentences repeated to other instruments while the program runs live.\n";
+  text += config::render("[[output]]", bind(output_keys(), output));
   return text;
 }
 
@@ -193,7 +231,7 @@ DecoderSettings decoder_settings(const SourceOptions& options) {
 
 std::vector<SourceInfo> source_infos(const Configuration& configuration) {
   std::vector<SourceInfo> infos;
-  for (const auto& [options, mount, table, plugin] : configuration.sources) {
+  for (const auto& [options, mount, table, profile, plugin] : configuration.sources) {
     SourceInfo info;
     info.id = static_cast<SourceId>(infos.size());
     info.name = options.name;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/decode/profile.h"
 #include "core/decode/table.h"
 #include "core/flow/navigation_options.h"
 #include "core/flow/source_info.h"
@@ -16,6 +17,7 @@ struct SourceConfiguration {
   SourceOptions options;
   MountOptions mount;
   decode::TableOptions table;
+  decode::ProfileOptions profile;
   std::shared_ptr<SourceSettings>
       plugin;  ///< the keys of a plugin's decoder; null for a decoder of the house
 };

@@ -76,6 +76,23 @@ struct Named {
   std::string name, decoder;
 };
 
+/// The decoder that a payload of a tlog wants, by its first bytes.
+std::string decoder_of_payload(std::string_view payload) {
+  constexpr std::string_view kUdpbc = "#556450624300";
+  if (payload.substr(0, 3) == "#7f" || payload.substr(0, 3) == "#7F") return "trdi-pd0";
+  const auto begins = [&](std::string_view with) { return payload.substr(0, with.size()) == with; };
+  if (begins("#a50a")) return "nortek-dvl";
+  if (begins("#faff")) return "xsens-mtdata2";
+  if (begins("#00") && payload.substr(5, 2) == "05") return "pni-tcm";
+  const FileKind kind =
+      links::sniff({reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size()}, payload.size());
+  if (kind == FileKind::waterlinked_serial || kind == FileKind::waterlinked_json ||
+      kind == FileKind::evologics_usbl || kind == FileKind::nortek_dvl || kind == FileKind::navquest ||
+      kind == FileKind::paroscientific)
+    return links::name_of(kind);
+  return payload.substr(0, kUdpbc.size()) == kUdpbc ? "iec61162-450" : "nmea0183";
+}
+
 /// The sources of a tlog with the decoder their first payloads want.
 std::vector<Named> tlog_sources(FileReader& file) {
   std::vector<Named> found;
@@ -88,9 +105,7 @@ std::vector<Named> tlog_sources(FileReader& file) {
     if (blank == 0 || blank == std::string_view::npos) continue;
     const std::string name(rest.substr(0, blank));
     if (std::any_of(found.begin(), found.end(), [&](const Named& n) { return n.name == name; })) continue;
-    found.push_back({name, rest.substr(blank + 1, 3) == "#7f" || rest.substr(blank + 1, 3) == "#7F"
-                               ? "trdi-pd0"
-                               : "nmea0183"});
+    found.push_back({name, decoder_of_payload(rest.substr(blank + 1))});
   }
   file.rewind();
   return found;
@@ -171,7 +186,8 @@ std::optional<Error> read_session(const std::string& path, FileAccount& account)
     for (const auto& source : sources.value()) {
       const auto same = [&](const Named& n) { return n.name == source.info.name; };
       if (std::any_of(named.begin(), named.end(), same)) continue;
-      const bool known = source.decoder == "nmea0183" || source.decoder == "trdi-pd0";
+      const bool known =
+          source.decoder == "nmea0183" || source.decoder == "iec61162-450" || source.decoder == "trdi-pd0";
       names.push_back({source.info.name, static_cast<SourceId>(named.size())});
       named.push_back({source.info.name, known ? source.decoder : ""});
     }
@@ -230,8 +246,25 @@ Result<FileAccount> account_of(const std::string& path) {
       count_lines(file, account);
       failure = read_stream(std::move(file), {stem(path), "nmea0183"}, account);
       break;
+    case FileKind::iec61162_450:
+      failure = read_stream(std::move(file), {stem(path), "iec61162-450"}, account);
+      break;
+    case FileKind::waterlinked_serial:
+    case FileKind::waterlinked_json:
+    case FileKind::navquest:
+    case FileKind::paroscientific:
+      count_lines(file, account);
+      failure = read_stream(std::move(file), {stem(path), links::name_of(kind)}, account);
+      break;
     case FileKind::session:
       failure = read_session(path, account);
+      break;
+    case FileKind::mavlink:
+    case FileKind::nortek_dvl:
+    case FileKind::evologics_usbl:
+    case FileKind::xsens_mtdata2:
+    case FileKind::pni_tcm:
+      failure = read_stream(std::move(file), {stem(path), account.kind}, account);
       break;
     case FileKind::trdi_pd0:
       failure = read_stream(std::move(file), {stem(path), "trdi-pd0"}, account);

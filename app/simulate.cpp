@@ -62,11 +62,18 @@ bool is_line(std::string_view bytes) {
 }
 
 const char* ending_of(const std::string& format) {
-  return format == "trdi-pd0"   ? ".pd0"
-         : format == "trdi-pd4" ? ".pd4"
-         : format == "trdi-pd6" ? ".pd6"
-         : format == "table"    ? ".csv"
-                                : ".nmea";
+  return format == "trdi-pd0"           ? ".pd0"
+         : format == "trdi-pd4"         ? ".pd4"
+         : format == "trdi-pd6"         ? ".pd6"
+         : format == "table"            ? ".csv"
+         : format == "waterlinked-json" ? ".json"
+         : format == "waterlinked-serial" || format == "navquest" || format == "valeport" ||
+                 format == "paroscientific"
+             ? ".txt"
+         : format == "nortek-dvl" || format == "pni-tcm" || format == "xsens-mtdata2" ? ".bin"
+         : format == "evologics-usbl"                                                 ? ".txt"
+         : format == "iec61162-450"                                                   ? ".udpbc"
+                                                                                      : ".nmea";
 }
 
 /// Puts a simulation into its folder.

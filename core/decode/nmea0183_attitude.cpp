@@ -1,5 +1,6 @@
 // Roll, pitch and heave: XDR, PASHR, PRDID and the Seapath's PSXN.
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/decode/nmea0183_sentences.h"
@@ -16,6 +17,23 @@ std::string_view take_field(std::string_view& rest) {
   const std::string_view field = rest.substr(0, comma);
   rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
   return field;
+}
+
+bool named_in(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// How long one half of an attitude waits for the other where a device sends each in a sentence of its own.
+constexpr std::int64_t kHalfWaits = 1'000'000'000;
+
+/// Each half makes one attitude at most.
+void pair_tilts(Reading& r, std::optional<Angle>& roll, std::optional<Angle>& pitch) {
+  Memory::Tilts& half = r.memory.xdr;
+  const bool fresh = !r.arrival || !half.arrival || *r.arrival - *half.arrival <= Duration(kHalfWaits);
+  if (fresh && !roll) roll = half.roll;
+  if (fresh && !pitch) pitch = half.pitch;
+  const bool whole = roll && pitch;
+  half = whole ? Memory::Tilts{} : Memory::Tilts{roll, pitch, r.arrival};
 }
 
 /// A transducer's angle. Beyond the limit it is none: what a name means is each maker's own choice, and one
@@ -77,10 +95,11 @@ Verdict read_xdr(Fields& f, Reading& r) {
     const std::string_view type = take_field(rest), value = take_field(rest), unit = take_field(rest);
     const std::string_view name = take_field(rest);  // empty when the last quadruple is incomplete
     if (type != "A" || unit != "D") continue;
-    if (name == "ROLL" || name == "HEEL") roll = read_tilt(f, value, kRollLimit_deg);
-    if (name == "PTCH" || name == "PITCH") pitch = read_tilt(f, value, kPitchLimit_deg);
+    if (named_in(r.profile.xdr_roll, name)) roll = read_tilt(f, value, kRollLimit_deg);
+    if (named_in(r.profile.xdr_pitch, name)) pitch = read_tilt(f, value, kPitchLimit_deg);
   }
   if (!f.refusal().empty()) return refused(f.refusal());
+  if (roll || pitch) pair_tilts(r, roll, pitch);
   tell_attitude(r, std::nullopt, roll, pitch, {}, {}, {});
   return decoded();
 }
@@ -89,10 +108,13 @@ Verdict read_pashr(Fields& f, Reading& r) {
   if (f.text(3) != "T") return unused();  // PASHR,POS and its like are receiver messages
   f.require(6);
   const auto utc = f.time_of_day(1);
-  const auto heading = f.heading(2), roll = f.angle(4, kRollLimit_deg), pitch = f.angle(5, kPitchLimit_deg);
-  const auto heave_up_m = f.number(6);
+  const auto heading = f.heading(2), pitch = f.angle(5, kPitchLimit_deg);
+  auto roll = f.angle(4, kRollLimit_deg);
+  auto heave_up_m = f.number(6);
   const auto sd_roll = read_sigma(f, 7), sd_pitch = read_sigma(f, 8), sd_heading = read_sigma(f, 9);
   if (!f.refusal().empty()) return refused(f.refusal());
+  if (roll && r.profile.pashr_roll_positive == "starboard-up") roll = -*roll;
+  if (heave_up_m && r.profile.pashr_heave_positive == "down") heave_up_m = -*heave_up_m;
   const auto time = r.dated(utc);
   tell_heading(r, time, heading, sd_heading);
   tell_attitude(r, time, roll, pitch, heave_up_m, sd_roll, sd_pitch);

@@ -88,7 +88,7 @@ Verdict read_zda(Fields& f, Reading& r) {
   const auto midnight = from_civil(
       {.year = static_cast<int>(*year), .month = static_cast<int>(*month), .day = static_cast<int>(*day)});
   if (!midnight) return refused(kReasonRange);
-  r.learn("ZDA", *midnight + Duration(*utc));
+  r.learn("ZDA", *midnight + Duration(*utc) + duration(r.profile.zda_offset_s));
   return decoded();
 }
 

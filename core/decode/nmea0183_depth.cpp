@@ -1,11 +1,13 @@
-// Echo sounders: DBT, DPT.
+// Echo sounders: DBT, DPT; a pressure sensor: PVIPS2.
 
 #include "core/decode/nmea0183_sentences.h"
+#include "core/decode/valeport.h"
 
 namespace leadline::decode::nmea0183 {
 namespace {
 
 constexpr double kDeepest_m = 20'000.0;
+constexpr double kPaPerDbar = 1e4;
 constexpr double kMetresPerFoot = 0.3048, kMetresPerFathom = 1.8288;
 
 }  // namespace
@@ -34,6 +36,14 @@ Verdict read_dpt(Fields& f, Reading& r) {
                       : *offset > 0.0           ? Below::surface
                                                 : Below::keel;
   r.out.fact(std::nullopt, BottomDepth{depth, below});
+  return decoded();
+}
+
+Verdict read_pvips2(Fields& f, Reading& r) {
+  const MiniIps2 said = read_mini_ips2(f);
+  if (!f.refusal().empty()) return refused(f.refusal());
+  if (said.pressure_dbar) r.out.fact(std::nullopt, Pressure{*said.pressure_dbar * kPaPerDbar});
+  if (said.depth_m) r.out.fact(std::nullopt, DepthMeasured{Depth{*said.depth_m}, {}});
   return decoded();
 }
 

@@ -1,7 +1,6 @@
 #include "core/decode/nmea0183_fields.h"
 
-#include <cmath>
-
+#include "core/decode/nmea0183_words.h"
 #include "core/decode/number.h"
 
 namespace leadline::decode::nmea0183 {
@@ -32,20 +31,19 @@ std::int64_t fraction_ns(std::string_view text) {
 Fields::Fields(std::string_view text) : text_(text) {
   const auto size = static_cast<std::uint16_t>(text.size());
   count_ = 1;
-  for (std::uint16_t i = 0; i < size; ++i) {
-    if (text[i] != ',') continue;
+  starts_[0] = 0;
+  const auto comma_at = [&](std::size_t i) {
     starts_[static_cast<std::size_t>(count_)] = static_cast<std::uint16_t>(i + 1);
-    if (count_ == kMost) return;
-    ++count_;
-  }
+    return count_ == kMost || (++count_, false);  // the rest is not wanted
+  };
+  std::size_t i = 0;
+  for (; i + 8 <= size; i += 8)
+    for (std::uint64_t commas = each_equal(load_word(text.data() + i), ','); commas != 0;
+         commas &= commas - 1)
+      if (comma_at(i + static_cast<std::size_t>(first_byte(commas)))) return;
+  for (; i < size; ++i)
+    if (text[i] == ',' && comma_at(i)) return;
   starts_[static_cast<std::size_t>(count_)] = static_cast<std::uint16_t>(size + 1);
-}
-
-std::string_view Fields::text(int n) const {
-  if (n > count_) return {};
-  const std::size_t begin = starts_[static_cast<std::size_t>(n - 1)],
-                    next = starts_[static_cast<std::size_t>(n)];
-  return text_.substr(begin, next - begin - 1);
 }
 
 char Fields::letter(int n) {
@@ -117,9 +115,13 @@ std::optional<double> Fields::degrees(int n, char positive, char negative, doubl
     refuse(kReasonFields);
     return std::nullopt;
   }
-  const double whole = std::floor(*value / 100.0), minutes = *value - whole * 100.0;
+  if (*value < 0.0 || *value >= 100.0 * 181.0) {
+    refuse(kReasonRange);
+    return std::nullopt;
+  }
+  const double whole = static_cast<double>(static_cast<int>(*value) / 100), minutes = *value - whole * 100.0;
   const double size = whole + minutes / 60.0;
-  if (*value < 0.0 || minutes >= 60.0 || size > limit) refuse(kReasonRange);
+  if (minutes >= 60.0 || size > limit) refuse(kReasonRange);
   return side == positive ? size : -size;
 }
 

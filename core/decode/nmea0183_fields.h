@@ -27,11 +27,16 @@ class Fields {
  public:
   /// text: what follows the address and its comma, up to the '*'.
   explicit Fields(std::string_view text);
-  Fields() = default;  ///< no field at all
+  Fields() : starts_{} {}  ///< no field at all
 
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] std::string_view all() const { return text_; }
-  [[nodiscard]] std::string_view text(int n) const;
+  [[nodiscard]] std::string_view text(int n) const {
+    if (n > count_) return {};
+    const std::size_t begin = starts_[static_cast<std::size_t>(n - 1)],
+                      next = starts_[static_cast<std::size_t>(n)];
+    return {text_.data() + begin, next - begin - 1};
+  }
   /// '\0' when empty; more than one character is malformed.
   [[nodiscard]] char letter(int n);
   [[nodiscard]] std::optional<double> number(int n);
@@ -62,7 +67,7 @@ class Fields {
 
   static constexpr int kMost = 32;  // further ones belong to newer revisions; XDR walks all() itself
   std::string_view text_;
-  std::array<std::uint16_t, kMost + 1> starts_{};  // [n-1] of field n; [count] one past the end
+  std::array<std::uint16_t, kMost + 1> starts_;  // [n-1] of field n; [count] one past the end
   int count_ = 0;
   std::string_view refusal_;
 };

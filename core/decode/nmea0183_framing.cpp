@@ -19,8 +19,9 @@ const char* find_stop(const char* p, const char* end) {
   for (; end - p >= 8; p += 8) {
     const std::uint64_t w = load_word(p);
     if ((bytes_below(w, 0x20) | bytes_equal(w, '$') | bytes_equal(w, '!')) == 0) continue;
-    for (int i = 0; i < 8; ++i)
-      if (is_terminator(p[i]) || is_start(p[i])) return p + i;
+    const std::uint64_t stops =
+        each_equal(w, '\n') | each_equal(w, '\r') | each_equal(w, '$') | each_equal(w, '!');
+    if (stops != 0) return p + first_byte(stops);
   }
   while (p != end && !is_terminator(*p) && !is_start(*p)) ++p;
   return p;

@@ -55,7 +55,8 @@ void tell_fix(Reading& r, Candidate& c) {
   r.out.fact(c.time, c.fix);
 }
 
-std::optional<GnssQuality> quality_of_gga(std::uint32_t quality) {
+/// estimated: those are taken too.
+std::optional<GnssQuality> quality_of_gga(std::uint32_t quality, bool estimated) {
   switch (quality) {
     case 1:
       return GnssQuality::autonomous;
@@ -67,15 +68,17 @@ std::optional<GnssQuality> quality_of_gga(std::uint32_t quality) {
       return GnssQuality::rtk_fixed;
     case 5:
       return GnssQuality::rtk_float;
+    case 6:
+      return estimated ? std::optional(GnssQuality::unknown) : std::nullopt;
     case 9:
       return GnssQuality::unknown;
     default:
-      return std::nullopt;  // none, dead reckoning, manual, simulator
+      return std::nullopt;  // none, manual, simulator
   }
 }
 
 /// Of a mode letter (NMEA 2.3 and later); empty when it is no GNSS position.
-std::optional<GnssQuality> quality_of_mode(char mode) {
+std::optional<GnssQuality> quality_of_mode(char mode, bool estimated) {
   switch (mode) {
     case '\0':
       return GnssQuality::unknown;  // older than modes
@@ -89,15 +92,17 @@ std::optional<GnssQuality> quality_of_mode(char mode) {
       return GnssQuality::rtk_fixed;
     case 'F':
       return GnssQuality::rtk_float;
+    case 'E':
+      return estimated ? std::optional(GnssQuality::unknown) : std::nullopt;
     default:
-      return std::nullopt;  // estimated, manual, simulator, none
+      return std::nullopt;  // manual, simulator, none
   }
 }
 
 /// The best of one letter a system.
-std::optional<GnssQuality> quality_of_systems(std::string_view modes) {
-  for (const char best : {'R', 'F', 'P', 'D', 'A'})
-    if (modes.find(best) != std::string_view::npos) return quality_of_mode(best);
+std::optional<GnssQuality> quality_of_systems(std::string_view modes, bool estimated) {
+  for (const char best : {'R', 'F', 'P', 'D', 'A', 'E'})
+    if (modes.find(best) != std::string_view::npos) return quality_of_mode(best, estimated);
   return std::nullopt;
 }
 
@@ -152,7 +157,7 @@ Verdict read_gga(Fields& f, Reading& r) {
   f.require(6);
   Candidate c(PositionKind::gga, f.time_of_day(1));
   const auto figure = f.digits(6, 9);
-  const auto quality = figure ? quality_of_gga(*figure) : std::nullopt;
+  const auto quality = figure ? quality_of_gga(*figure, r.profile.estimated_positions) : std::nullopt;
   if (!quality) return note_no_position(f, r, c.kind, c.time_of_day);
   if (!c.time_of_day) f.refuse(kReasonFields);
   c.fix.quality = *quality;
@@ -165,7 +170,7 @@ Verdict read_gga(Fields& f, Reading& r) {
 Verdict read_gns(Fields& f, Reading& r) {
   f.require(6);
   Candidate c(PositionKind::gns, f.time_of_day(1));
-  const auto quality = quality_of_systems(f.text(6));
+  const auto quality = quality_of_systems(f.text(6), r.profile.estimated_positions);
   if (!quality) return note_no_position(f, r, c.kind, c.time_of_day);
   if (!c.time_of_day) f.refuse(kReasonFields);
   c.fix.quality = *quality;
@@ -178,7 +183,7 @@ Verdict read_gns(Fields& f, Reading& r) {
 Verdict read_rmc(Fields& f, Reading& r) {
   f.require(9);
   Candidate c(PositionKind::rmc, f.time_of_day(1));
-  const auto quality = quality_of_mode(f.letter(12));
+  const auto quality = quality_of_mode(f.letter(12), r.profile.estimated_positions);
   if (f.letter(2) != 'A' || !quality) return note_no_position(f, r, c.kind, c.time_of_day);
   if (!c.time_of_day) f.refuse(kReasonFields);
   c.fix.quality = *quality;
@@ -198,7 +203,7 @@ Verdict read_rmc(Fields& f, Reading& r) {
 Verdict read_gll(Fields& f, Reading& r) {
   f.require(4);
   Candidate c(PositionKind::gll, f.time_of_day(5));
-  const auto quality = quality_of_mode(f.letter(7));
+  const auto quality = quality_of_mode(f.letter(7), r.profile.estimated_positions);
   const char status = f.letter(6);  // units older than statuses send none
   if ((status != 'A' && status != '\0') || !quality) return note_no_position(f, r, c.kind, c.time_of_day);
   c.fix.quality = *quality;

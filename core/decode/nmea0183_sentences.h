@@ -10,6 +10,7 @@
 
 #include "core/decode/nmea0183_clock.h"
 #include "core/decode/nmea0183_fields.h"
+#include "core/decode/profile.h"
 #include "core/flow/decoder.h"
 
 namespace leadline::decode::nmea0183 {
@@ -40,6 +41,12 @@ struct Memory {
   };
   std::optional<Sigmas> gst;
 
+  struct Tilts {
+    std::optional<Angle> roll, pitch;
+    std::optional<Arrival> arrival;
+  };
+  Tilts xdr;  ///< the half of an attitude that waits for the other
+
   bool seapath_heading_invalid = false, seapath_tilt_invalid = false;
 
   [[nodiscard]] bool fresh(std::optional<std::int64_t> seen) const {
@@ -50,6 +57,7 @@ struct Memory {
 /// One sentence being read.
 struct Reading {
   const DecoderSettings& settings;
+  const ProfileOptions& profile;
   Memory& memory;
   std::optional<Arrival> arrival;
   DecoderOutput& out;
@@ -107,6 +115,7 @@ Verdict read_psxn(Fields& f, Reading& r);
 // nmea0183_depth.cpp
 Verdict read_dbt(Fields& f, Reading& r);
 Verdict read_dpt(Fields& f, Reading& r);
+Verdict read_pvips2(Fields& f, Reading& r);
 // nmea0183_usbl.cpp
 Verdict read_psimssb(Fields& f, Reading& r);
 Verdict read_ptsag(Fields& f, Reading& r);

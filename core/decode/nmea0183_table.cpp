@@ -29,32 +29,33 @@ constexpr KnownSentence kStandard[] = {
 // Makers' sentences by their address: whole where they are read, else by its beginning.
 constexpr KnownSentence kMakers[] = {
     {"PSXN", read_psxn},   {"PSIMSSB", read_psimssb}, {"PASHR", read_pashr}, {"PRDID", read_prdid},
-    {"PUHAW", read_puhaw}, {"PTSAG", read_ptsag},     {"PTSAX", read_ptsax}, {"PAIR", nullptr},
-    {"PDTINFO", nullptr},  {"PERC", nullptr},         {"PFEC", nullptr},     {"PFST", nullptr},
-    {"PGLOR", nullptr},    {"PGRM", nullptr},         {"PJLT", nullptr},     {"PKOD", nullptr},
-    {"PLCS", nullptr},     {"PMGL", nullptr},         {"PMGN", nullptr},     {"PMTK", nullptr},
-    {"PNVG", nullptr},     {"PORZD", nullptr},        {"PQ", nullptr},       {"PRWII", nullptr},
-    {"PRWIZCH", nullptr},  {"PSIMS", nullptr},        {"PSLIB", nullptr},    {"PSRF", nullptr},
-    {"PSTI", nullptr},     {"PSTM", nullptr},         {"PTFT", nullptr},     {"PTNL", nullptr},
-    {"PTNT", nullptr},     {"PTSAY", nullptr},        {"PUBX", nullptr}};
+    {"PUHAW", read_puhaw}, {"PTSAG", read_ptsag},     {"PTSAX", read_ptsax}, {"PVIPS2", read_pvips2},
+    {"PAIR", nullptr},     {"PDTINFO", nullptr},      {"PERC", nullptr},     {"PFEC", nullptr},
+    {"PFST", nullptr},     {"PGLOR", nullptr},        {"PGRM", nullptr},     {"PJLT", nullptr},
+    {"PKOD", nullptr},     {"PLCS", nullptr},         {"PMGL", nullptr},     {"PMGN", nullptr},
+    {"PMTK", nullptr},     {"PNVG", nullptr},         {"PORZD", nullptr},    {"PQ", nullptr},
+    {"PRWII", nullptr},    {"PRWIZCH", nullptr},      {"PSIMS", nullptr},    {"PSLIB", nullptr},
+    {"PSRF", nullptr},     {"PSTI", nullptr},         {"PSTM", nullptr},     {"PTFT", nullptr},
+    {"PTNL", nullptr},     {"PTNT", nullptr},         {"PTSAY", nullptr},    {"PUBX", nullptr}};
 
-/// A formatter as one number, in alphabetical order.
-constexpr std::uint32_t code(std::string_view formatter) {
-  return static_cast<std::uint32_t>(static_cast<unsigned char>(formatter[0])) << 16 |
-         static_cast<std::uint32_t>(static_cast<unsigned char>(formatter[1])) << 8 |
-         static_cast<std::uint32_t>(static_cast<unsigned char>(formatter[2]));
+/// Five bits of each letter of a formatter: one number for each three capitals.
+constexpr std::size_t slot(std::string_view formatter) {
+  return static_cast<std::size_t>(formatter[0] & 31) << 10 |
+         static_cast<std::size_t>(formatter[1] & 31) << 5 | static_cast<std::size_t>(formatter[2] & 31);
 }
 
-constexpr auto kCodes = [] {
-  std::array<std::uint32_t, std::size(kStandard)> codes{};
-  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = code(kStandard[i].kind);
-  return codes;
+/// By slot: one more than the index in kStandard, 0 for none.
+constexpr auto kIndex = [] {
+  static_assert(std::size(kStandard) < 255);
+  std::array<std::uint8_t, 32 * 32 * 32> index{};
+  for (std::size_t i = 0; i < std::size(kStandard); ++i)
+    index[slot(kStandard[i].kind)] = static_cast<std::uint8_t>(i + 1);
+  return index;
 }();
-static_assert(std::is_sorted(kCodes.begin(), kCodes.end()));
 
 const KnownSentence* find_standard(std::string_view formatter) {
-  const auto* const found = std::lower_bound(kCodes.begin(), kCodes.end(), code(formatter));
-  return found != kCodes.end() && *found == code(formatter) ? &kStandard[found - kCodes.begin()] : nullptr;
+  const std::size_t found = kIndex[slot(formatter)];
+  return found > 0 && kStandard[found - 1].kind == formatter ? &kStandard[found - 1] : nullptr;
 }
 
 const KnownSentence* find_maker(std::string_view address) {

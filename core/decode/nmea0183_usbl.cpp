@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kNoSensor_m = 9999.0;
 constexpr double kFarthest_m = 1e5;
-constexpr int kFewestHydrophones = 3;
 
 std::optional<double> positive(std::optional<double> sigma) {
   return sigma && *sigma > 0.0 ? sigma : std::nullopt;
@@ -24,14 +23,14 @@ struct IxblueTail {
   std::optional<double> depth_m;
 };
 
-IxblueTail read_tail(Fields& f, int n) {
+IxblueTail read_tail(Fields& f, int n, std::int64_t fewest_hydrophones) {
   IxblueTail tail;
   const std::string_view hydrophones = f.text(n);
   const auto bits = hydrophones.size() == 1
                         ? parse_hex_byte(std::string_view(std::array{'0', hydrophones[0]}.data(), 2))
                         : std::nullopt;
   if (!bits) f.refuse(kReasonFields);
-  tail.usable = bits && std::popcount(*bits) >= kFewestHydrophones;
+  tail.usable = bits && std::popcount(*bits) >= fewest_hydrophones;
   const auto calculated = f.number(n + 1);
   const auto kind = f.digits(n + 2, 2);
   auto sensor = f.number(n + 3);
@@ -85,10 +84,16 @@ std::optional<Time> read_date_and_time(Fields& f) {
   return *midnight + Duration(*utc);
 }
 
-/// A PSIMSSB place in metres or radians as its letters say.
+/// A PSIMSSB place in metres or radians as its letters say; of R and U x is latitude or northing.
 struct SimradPlace {
   std::optional<double> x, y, depth_m, sd_m;
 };
+
+/// Does x of R and U come second? Northing is first, but Tritech's U,E is easting first.
+bool easting_first(const ProfileOptions& profile, char coordinates, char orientation) {
+  if (profile.usbl_order != "auto") return profile.usbl_order == "easting-first";
+  return coordinates == 'U' && orientation == 'E';
+}
 
 void tell_place(Reading& r, std::optional<Time> time, std::string_view name, char coordinates,
                 char orientation, const SimradPlace& p) {
@@ -108,23 +113,20 @@ void tell_place(Reading& r, std::optional<Time> time, std::string_view name, cha
                                       depth_of(p.depth_m),
                                       p.sd_m});
       break;
-    case 'U': {
-      // Northing first, but Tritech's U,E is easting first.
-      const bool easting_first = orientation == 'E';
-      r.out.fact(time, UsblGrid{name, easting_first ? *p.x : *p.y, easting_first ? *p.y : *p.x,
-                                depth_of(p.depth_m), p.sd_m});
+    case 'U':
+      r.out.fact(time, UsblGrid{name, *p.y, *p.x, depth_of(p.depth_m), p.sd_m});
       break;
-    }
     default:
       break;  // polar: which angle is meant is not public
   }
 }
 
-SimradPlace read_place(Fields& f, char coordinates) {
+SimradPlace read_place(Fields& f, char coordinates, bool easting_first) {
   const bool radians = coordinates == 'R', grid = coordinates == 'U';
+  const int x = easting_first && (radians || grid) ? 9 : 8;
   const double x_limit = radians ? kPi / 2.0 : grid ? 1e7 : kFarthest_m;
   const double y_limit = radians ? kPi : grid ? 1e7 : kFarthest_m;
-  return {f.number(8, -x_limit, x_limit), f.number(9, -y_limit, y_limit),
+  return {f.number(x, -x_limit, x_limit), f.number(17 - x, -y_limit, y_limit),
           f.number(10, -kFarthest_m, kFarthest_m), positive(f.number(11))};
 }
 
@@ -135,11 +137,12 @@ Verdict read_psimssb(Fields& f, Reading& r) {
   const auto utc = f.time_of_day(1);
   const std::string_view name = f.text(2);
   const char status = f.letter(3), coordinates = f.letter(5), orientation = f.letter(6), filter = f.letter(7);
-  const SimradPlace place = read_place(f, coordinates);
+  const SimradPlace place = read_place(f, coordinates, easting_first(r.profile, coordinates, orientation));
   if (!f.refusal().empty()) return refused(f.refusal());
   if (!r.settings.address.empty() && name != r.settings.address) return unused();
-  const auto time = r.dated(utc);
-  const bool measured = status == 'A' && f.text(4).empty() && filter == 'M';
+  const auto time = r.profile.usbl_clock == "local" ? std::nullopt : r.dated(utc);
+  const bool measured =
+      status == 'A' && f.text(4).empty() && (filter == 'M' || (filter == 'F' && r.profile.usbl_filtered));
   if (measured) tell_place(r, time, name, coordinates, orientation, place);
   return decoded();
 }
@@ -149,7 +152,7 @@ Verdict read_ptsag(Fields& f, Reading& r) {
   const auto full = read_date_and_time(f);
   const auto id = read_id(f, 6);
   const auto position = f.position(7);
-  const IxblueTail tail = read_tail(f, 11);
+  const IxblueTail tail = read_tail(f, 11, r.profile.usbl_hydrophones);
   if (!f.refusal().empty()) return refused(f.refusal());
   if (!is_wanted(r.settings, *id)) return unused();
   const auto time = r.learn("PTSAG", *full);
@@ -166,7 +169,7 @@ Verdict read_ptsax(Fields& f, Reading& r) {
   const auto id = read_id(f, first);
   const auto x = f.number(first + 1, -kFarthest_m, kFarthest_m),
              y = f.number(first + 2, -kFarthest_m, kFarthest_m);
-  const IxblueTail tail = read_tail(f, first + 3);
+  const IxblueTail tail = read_tail(f, first + 3, r.profile.usbl_hydrophones);
   if (!f.refusal().empty()) return refused(f.refusal());
   if (!is_wanted(r.settings, *id)) return unused();
   const auto time = full ? r.learn("PTSAX", *full) : std::nullopt;

@@ -102,8 +102,8 @@ class Pd0Decoder final : public Decoder, private Pd0FrameSink {
     if (block.depth && !tell_depth(*block.depth, time)) byte_class = ByteClass::unused;
     FrameReport report{byte_class, ChecksumState::none,
                        block.kind, block.reason,
-                       offset,     static_cast<std::uint32_t>(block.length),
-                       true};
+                       offset,     static_cast<std::uint32_t>(block.length)};
+    report.block = true;
     out_->frame(report);
   }
 

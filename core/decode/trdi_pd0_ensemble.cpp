@@ -1,6 +1,6 @@
 #include "core/decode/trdi_pd0_ensemble.h"
 
-#include "core/decode/trdi_pd0_fields.h"
+#include "core/decode/byte_order.h"
 
 namespace leadline::decode {
 namespace {

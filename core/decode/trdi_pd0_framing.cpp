@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "core/decode/trdi_pd0_fields.h"
+#include "core/decode/byte_order.h"
 #include "core/types/expect.h"
 
 namespace leadline::decode {

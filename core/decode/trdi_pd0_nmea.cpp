@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/decode/byte_order.h"
 #include "core/decode/number.h"
-#include "core/decode/trdi_pd0_fields.h"
 
 namespace leadline::decode {
 namespace {

@@ -3,15 +3,17 @@
 #include <optional>
 #include <string>
 
+#include "core/decode/frame_search.h"
 #include "core/decode/nmea0183_clock.h"
 #include "core/decode/trdi_pd0_facts.h"
 #include "core/decode/trdi_pd4_frame.h"
-#include "core/decode/trdi_pd4_framing.h"
 
 namespace leadline::decode {
 namespace {
 
 using Attitude5 = Pd4Frame::Attitude;
+
+constexpr std::size_t kWindowBytes = 16 * 1024;
 
 std::optional<std::int64_t> time_of_day_ns(const Pd4Frame& f) {
   if (f.hour > 23 || f.minute > 59 || f.second > 60 || f.hundredths > 99) return std::nullopt;
@@ -51,40 +53,37 @@ DvlVelocity velocity_of(const Pd4Frame& f, DvlReference reference, const std::ar
   return v;
 }
 
-class Pd4Decoder final : public Decoder, private Pd4FrameSink {
+class Pd4Decoder final : public Decoder, private FrameFormat {
  public:
   explicit Pd4Decoder(const DecoderSettings& settings)
-      : settings_(settings), dating_(settings.date), framer_(*this) {}
+      : settings_(settings), dating_(settings.date), search_(*this, kWindowBytes) {}
 
   void feed(std::span<const std::uint8_t> bytes, std::optional<Arrival> arrival,
             DecoderOutput& out) override {
     out_ = &out;
     arrival_ = arrival;
-    framer_.feed(bytes);
+    search_.feed(bytes);
   }
   void finish(DecoderOutput& out) override {
     out_ = &out;
-    framer_.finish();
+    search_.finish();
   }
 
  private:
-  void frame(std::uint64_t offset, std::span<const std::uint8_t> bytes) override {
+  [[nodiscard]] FrameStart start(std::span<const std::uint8_t> rest, bool) const override {
+    return pd4_start(rest);
+  }
+  void lost(const FrameReport& report) override { out_->frame(report); }
+  void frame(std::uint64_t offset, std::span<const std::uint8_t> bytes, const FrameStart& start) override {
     const Pd4Frame f = read_pd4_frame(bytes);
-    const std::string_view kind = f.attitude ? "PD5" : "PD4";
+    const std::string_view kind = start.kind;
     std::optional<Time> time;
     if (const auto of_day_ns = time_of_day_ns(f)) time = dating_.instant(*of_day_ns, arrival_);
     if (time) out_->fact(time, ClockReading{kind, time->ns, {}});
     tell_state(f, time);
     tell_velocities(f, time);
-    tell(ByteClass::decoded, ChecksumState::ok, kind, "", offset, static_cast<std::uint32_t>(bytes.size()));
-  }
-
-  void refused(std::uint64_t offset, std::uint32_t length, bool pd5, std::string_view reason) override {
-    tell(ByteClass::refused, reason == "checksum" ? ChecksumState::bad : ChecksumState::none,
-         pd5 ? "PD5" : "PD4", reason, offset, length);
-  }
-  void skipped(std::uint64_t offset, std::uint32_t length) override {
-    tell(ByteClass::skipped, ChecksumState::none, "", "", offset, length);
+    out_->frame(
+        {ByteClass::decoded, ChecksumState::ok, kind, "", offset, static_cast<std::uint32_t>(bytes.size())});
   }
 
   void tell_state(const Pd4Frame& f, std::optional<Time> time) {
@@ -133,14 +132,9 @@ class Pd4Decoder final : public Decoder, private Pd4FrameSink {
                       "is not used; set it to instrument, ship or earth coordinates (EX)"});
   }
 
-  void tell(ByteClass byte_class, ChecksumState checksum, std::string_view kind, std::string_view reason,
-            std::uint64_t offset, std::uint32_t length) {
-    out_->frame({byte_class, checksum, kind, reason, offset, length, false});
-  }
-
   DecoderSettings settings_;
   nmea0183::Dating dating_;
-  Pd4Framer framer_;
+  FrameSearch search_;
   DecoderOutput* out_ = nullptr;  ///< of the call under way
   std::optional<Arrival> arrival_;
   std::uint16_t built_in_test_ = 0;

@@ -1,6 +1,7 @@
 #include "core/decode/trdi_pd4_frame.h"
 
-#include "core/decode/trdi_pd0_fields.h"
+#include "core/decode/byte_order.h"
+#include "core/decode/trdi_pd0_framing.h"
 
 namespace leadline::decode {
 
@@ -34,16 +35,18 @@ Pd4Frame read_pd4_frame(std::span<const std::uint8_t> b) {
   return f;
 }
 
-Pd4Start pd4_start(std::span<const std::uint8_t> b) {
-  if (b.empty() || b[0] != 0x7D) return Pd4Start::none;
-  if (b.size() >= 2 && b[1] > 1) return Pd4Start::none;
-  if (b.size() >= 3) {
-    const std::size_t whole = b[1] == 0 ? kPd4Bytes : kPd5Bytes;
-    if (b[2] < whole - 2 || b[2] > whole) return Pd4Start::none;
-  }
-  if (b.size() < 4) return Pd4Start::partial;
-  if (b[3] != 0) return Pd4Start::none;
-  return b[1] == 0 ? Pd4Start::pd4 : Pd4Start::pd5;
+FrameStart pd4_start(std::span<const std::uint8_t> b) {
+  using Is = FrameStart::Is;
+  if (b[0] != 0x7D) return {};
+  if (b.size() < 2) return {Is::unsettled, 0, {}, {}};
+  if (b[1] > 1) return {};
+  const std::string_view kind = b[1] == 0 ? "PD4" : "PD5";
+  const std::size_t whole = b[1] == 0 ? kPd4Bytes : kPd5Bytes;
+  if (b.size() >= 3 && (b[2] < whole - 2 || b[2] > whole)) return {};
+  if (b.size() >= 4 && b[3] != 0) return {};
+  if (b.size() < whole) return {Is::unsettled, 0, kind, {}};
+  if (pd0_checksum(b.first(whole - 2)) != le_u16(b, whole - 2)) return {Is::broken, whole, kind, "checksum"};
+  return {Is::frame, whole, kind, {}};
 }
 
 }  // namespace leadline::decode

@@ -5,12 +5,12 @@
 #include <optional>
 #include <span>
 
+#include "core/decode/frame_search.h"
 #include "core/decode/trdi_pd0_ensemble.h"
 
 namespace leadline::decode {
 
 inline constexpr std::size_t kPd4Bytes = 47, kPd5Bytes = 88;
-inline constexpr std::size_t kPd4Longest = kPd5Bytes;
 
 /// The fields of one PD4 or PD5 frame as sent.
 struct Pd4Frame {
@@ -37,8 +37,7 @@ struct Pd4Frame {
 /// bytes: one whole frame, its checksum verified.
 [[nodiscard]] Pd4Frame read_pd4_frame(std::span<const std::uint8_t> bytes);
 
-enum class Pd4Start : std::uint8_t { none, partial, pd4, pd5 };
-/// What the first bytes may begin. The size field counts the checksum in some units: 45 to 47, 86 to 88.
-[[nodiscard]] Pd4Start pd4_start(std::span<const std::uint8_t> bytes);
+/// What the first bytes begin. The size field counts the checksum in some units: 45 to 47, 86 to 88.
+[[nodiscard]] FrameStart pd4_start(std::span<const std::uint8_t> bytes);
 
 }  // namespace leadline::decode

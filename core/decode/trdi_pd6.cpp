@@ -19,8 +19,8 @@ bool is_printable(std::string_view text) {
 
 class Pd6Decoder final : public Decoder, private Pd6LineSink {
  public:
-  explicit Pd6Decoder(const DecoderSettings& settings)
-      : settings_(settings), dating_(settings.date), framer_(*this) {}
+  Pd6Decoder(const DecoderSettings& settings, const ProfileOptions& profile)
+      : settings_(settings), dating_(settings.date), framer_(*this), axes_(profile.pd6_axes) {}
 
   void feed(std::span<const std::uint8_t> bytes, std::optional<Arrival> arrival,
             DecoderOutput& out) override {
@@ -242,8 +242,8 @@ class Pd6Decoder final : public Decoder, private Pd6LineSink {
 
 }  // namespace
 
-std::unique_ptr<Decoder> make_trdi_pd6(const DecoderSettings& settings) {
-  return std::make_unique<Pd6Decoder>(settings);
+std::unique_ptr<Decoder> make_trdi_pd6(const DecoderSettings& settings, const ProfileOptions& profile) {
+  return std::make_unique<Pd6Decoder>(settings, profile);
 }
 
 }  // namespace leadline::decode

@@ -48,7 +48,7 @@ DvlVelocity velocity_of(const Lines& lines, std::size_t chosen, DvlReference ref
 
 void Pd6Axes::observe(const Pd6Ping& ping) {
   const auto &i = ping.bottom[0], &s = ping.bottom[1];
-  if (!filled(i) || !filled(s) || turned_) return;
+  if (!filled(i) || !filled(s) || turned_ || named_) return;
   const auto& x = i->mmps;
   if (x[0] == x[1] && s->mmps == x) return;  // says nothing
   if (s->mmps == std::array<double, 3>{x[1], x[0], x[2]})

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/decode/trdi_pd6_lines.h"
 #include "core/flow/decoder.h"
@@ -14,11 +15,14 @@ namespace leadline::decode {
 /// image, which no alignment of a TRDI can make: one ping with another BS decides for TRDI for good.
 class Pd6Axes {
  public:
+  /// named: "trdi" or "waterlinked" as an installation knows it; anything else: by the lines.
+  explicit Pd6Axes(std::string_view named = {})
+      : exchanged_(named == "waterlinked"), turned_(named == "trdi"), named_(exchanged_ || turned_) {}
   void observe(const Pd6Ping& ping);
   [[nodiscard]] bool forward_first() const { return exchanged_ && !turned_; }
 
  private:
-  bool exchanged_ = false, turned_ = false;
+  bool exchanged_, turned_, named_;
 };
 
 enum class Pd6Verdict : std::uint8_t { absent, inconsistent, told };

@@ -34,6 +34,7 @@ struct FrameReport {
   std::string_view reason;
   std::uint64_t offset = 0;  ///< of its first byte in the source's stream
   std::uint32_t length = 0;  ///< bytes of this class; blocks reported apart are not in it
+  std::uint32_t lost = 0;    ///< telegrams that the sender's own count says were lost just before this one
   bool block = false;        ///< a part of a telegram that is reported apart: its bytes count, it is no frame
 };
 
@@ -54,6 +55,9 @@ class DecoderOutput {
 class Decoder {
  public:
   virtual ~Decoder() = default;
+  /// Who sent the bytes of the feeds that follow (SenderName); empty where the link does not tell. Said
+  /// before each chunk of a Bus; a format that names no senders need not listen.
+  virtual void sender(std::string_view /*name*/) {}
   /// arrival: when the chunk was heard; empty while a plain byte stream is being searched for its own times.
   virtual void feed(std::span<const std::uint8_t> bytes, std::optional<Arrival> arrival,
                     DecoderOutput& out) = 0;
@@ -66,8 +70,9 @@ struct DecoderSettings {
   bool checksum_required = true;
   bool heading_magnetic = false;  ///< mark headings that do not say themselves as magnetic
   std::optional<Time> date;  ///< host time to date times of day with, while no arrival and no date is known
-  std::string_view
-      address;  ///< only this transponder's positions are facts; empty: any. Outlives the decoder
+  /// Only this transponder's positions (iec61162-450: this source's sentences) are facts; empty: any.
+  /// Outlives the decoder.
+  std::string_view address;
 };
 
 }  // namespace leadline

@@ -23,6 +23,7 @@ void Ledger::refuse(std::string_view reason) { ++entry_named(refusals_, reason).
 
 void Ledger::count(const FrameReport& report, Arrival arrival) {
   bytes_[index(report.byte_class)] += report.length;
+  lost_ += report.lost;
   if (report.byte_class == ByteClass::refused) refuse(report.reason);
   if (report.kind.empty()) return;
   if (!report.block) {

@@ -38,6 +38,8 @@ class Ledger {
   [[nodiscard]] std::uint64_t checksums(ChecksumState s) const {
     return checksums_[static_cast<std::size_t>(s)];
   }
+  /// Telegrams that never came, by their senders' own count.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
   [[nodiscard]] const std::vector<Kind>& kinds() const { return kinds_; }
   [[nodiscard]] const std::vector<Reason>& refusals() const { return refusals_; }
   /// Something was lost: a telegram refused or bytes skipped (exit status 3).
@@ -49,7 +51,7 @@ class Ledger {
   std::array<std::uint64_t, kByteClasses> bytes_{};
   std::array<std::uint64_t, kByteClasses> frames_by_class_{};
   std::array<std::uint64_t, 4> checksums_{};
-  std::uint64_t frames_ = 0;
+  std::uint64_t frames_ = 0, lost_ = 0;
   std::vector<Kind> kinds_;
   std::vector<Reason> refusals_;
 };

@@ -31,7 +31,8 @@ std::span<const Key<SourceOptions>> source_keys() {
        3600},
       {"rate_hz", &O::rate_hz, "rate of a byte stream without times of its own; 0: not used", 0, 100000},
       {"date", &O::date, "YYYY-MM-DD of a recording that holds times of day only"},
-      {"address", &O::address, "which transponder, MMSI or bus address is this body's; any, if left out"},
+      {"address", &O::address,
+       "which transponder, MMSI, SFI or bus address is this body's; any, if left out"},
   }};
   return keys;
 }
@@ -63,16 +64,19 @@ std::span<const Key<CalibrationOptions>> calibration_keys() {
 
 std::span<const Key<OutputOptions>> output_keys() {
   using O = OutputOptions;
-  static const std::array<Key<O>, 5> keys{{
+  static const std::array<Key<O>, 8> keys{{
       {"name", &O::name, "its name in events and alarms"},
       {"link", &O::link, "where it goes"},
+      {"format", &O::format, "plain sentences, or datagrams of them", 0, 0, {"nmea0183", "iec61162-450"}},
+      {"sfi", &O::sfi, "who iec61162-450 says is speaking: two letters and four digits"},
+      {"destination", &O::destination, "the SFI that iec61162-450 names as receiver; left out: none"},
       {"sentences",
        &O::sentences,
        "which sentences",
        0,
        0,
-       {"GGA", "RMC", "HDT", "DPT", "GLL", "VTG", "ZDA"}},
-      {"rate_hz", &O::rate_hz, "how often", 0.01, 100},
+       {"GGA", "RMC", "HDT", "DPT", "GLL", "VTG", "ZDA", "THS", "ROT", "GST"}},
+      {"rate_hz", &O::rate_hz, "how often; the program ticks ten times a second", 0.01, 10},
       {"body", &O::body, "whose position", 0, 0, {"vehicle", "ship"}},
   }};
   return keys;

@@ -48,6 +48,9 @@ struct CalibrationOptions {
 struct OutputOptions {
   std::string name;
   std::string link;
+  std::string format = "nmea0183";
+  std::string sfi = "IN0001";
+  std::string destination;
   std::vector<std::string> sentences;
   double rate_hz = 1.0;
   std::string body = "vehicle";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/links/line_stamp.h"
+#include "core/links/sniff_instruments.h"
 
 namespace leadline::links {
 namespace {
@@ -90,6 +91,13 @@ bool holds_pd0(Bytes head) {
   return false;
 }
 
+bool is_udpbc(Bytes head) {
+  constexpr std::array<std::string_view, 5> kTokens{"UdPbC", "RaUdP", "RrUdP", "RpUdP", "NkPgN"};
+  if (head.size() < 6 || head[5] != 0) return false;
+  const std::string_view token(reinterpret_cast<const char*>(head.data()), 5);
+  return std::find(kTokens.begin(), kTokens.end(), token) != kTokens.end();
+}
+
 // --- text -----------------------------------------------------------------------------------------------
 
 /// $ or !, an address of at least three capitals and digits, a comma; behind a TAG block where there is one.
@@ -124,6 +132,33 @@ bool holds_sentence(std::string_view line) {
       return false;
   }
   return written == sum;
+}
+
+/// w, c or r, a sign, and a CRC-8 (polynomial 0x07) of all before the '*' that holds.
+bool is_waterlinked_serial(std::string_view line) {
+  if (line.size() < 6 || line[0] != 'w' || (line[1] != 'r' && line[1] != 'c')) return false;
+  const std::size_t star = line.size() - 3;
+  if (line[star] != '*') return false;
+  unsigned crc = 0;
+  for (const char c : line.substr(0, star)) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = ((crc << 1) ^ ((crc & 0x80) != 0 ? 0x07u : 0u)) & 0xFF;
+  }
+  constexpr std::string_view kHex = "0123456789abcdef";
+  return line[star + 1] == kHex[crc >> 4] && line[star + 2] == kHex[crc & 15];
+}
+
+bool is_waterlinked_json(std::string_view line) {
+  return line[0] == '{' && line.find("\"type\"") != std::string_view::npos &&
+         line.find("\"json_v") != std::string_view::npos;
+}
+
+bool is_navquest(std::string_view line) { return line.find("$#NQ.RES ") != std::string_view::npos; }
+
+/// '*', an address of four digits that begins with the host's, and a number.
+bool is_paroscientific(std::string_view line) {
+  return line.size() >= 6 && line.substr(0, 3) == "*00" && is_digit(line[3]) && is_digit(line[4]) &&
+         line.find_first_not_of("0123456789.-+", 5) == std::string_view::npos;
 }
 
 /// Digits and what stands in numbers, dates and times; "nan" and an empty field too.
@@ -226,6 +261,10 @@ FileKind sniff_lines(Bytes head, std::uint64_t size) {
   const bool text = is_text(head);
   if (half(unix_stamped)) return FileKind::tlog;
   if (half(iso_stamped)) return FileKind::stamped_text;
+  if (text && half(is_waterlinked_serial)) return FileKind::waterlinked_serial;
+  if (text && half(is_waterlinked_json)) return FileKind::waterlinked_json;
+  if (text && half(is_navquest)) return FileKind::navquest;
+  if (text && half(is_paroscientific)) return FileKind::paroscientific;
   if (text && half(looks_like_sentence)) return FileKind::nmea;
   if (!text)
     return std::count_if(lines.begin(), lines.end(), holds_sentence) >= 2 ? FileKind::nmea
@@ -236,9 +275,30 @@ FileKind sniff_lines(Bytes head, std::uint64_t size) {
 }  // namespace
 
 const char* name_of(FileKind kind) {
-  static constexpr std::array<const char*, 15> kNames = {
-      "empty", "tlog", "stamped text", "nmea",    "trdi-pd0", "session", "sqlite", "xtf",
-      "jsf",   "pcap", "pcapng",       "mavlink", "table",    "text",    "unknown"};
+  static constexpr std::array<const char*, 24> kNames = {"empty",
+                                                         "tlog",
+                                                         "stamped text",
+                                                         "nmea",
+                                                         "iec61162-450",
+                                                         "trdi-pd0",
+                                                         "waterlinked-serial",
+                                                         "waterlinked-json",
+                                                         "navquest",
+                                                         "paroscientific",
+                                                         "session",
+                                                         "sqlite",
+                                                         "xtf",
+                                                         "jsf",
+                                                         "pcap",
+                                                         "pcapng",
+                                                         "mavlink",
+                                                         "nortek-dvl",
+                                                         "evologics-usbl",
+                                                         "xsens-mtdata2",
+                                                         "pni-tcm",
+                                                         "table",
+                                                         "text",
+                                                         "unknown"};
   static_assert(kNames.size() == static_cast<std::size_t>(FileKind::unknown) + 1);
   return kNames[static_cast<std::size_t>(kind)];
 }
@@ -259,8 +319,13 @@ FileKind sniff(Bytes head, std::uint64_t size) {
   if (is_pcapng(head)) return FileKind::pcapng;
   if (is_xtf(head)) return FileKind::xtf;
   if (is_jsf(head, size)) return FileKind::jsf;
+  if (is_udpbc(head)) return FileKind::iec61162_450;
   if (is_mavlink(head)) return FileKind::mavlink;
   if (holds_pd0(head)) return FileKind::trdi_pd0;
+  if (holds_nortek(head)) return FileKind::nortek_dvl;
+  if (holds_evologics(head)) return FileKind::evologics_usbl;
+  if (holds_xsens(head)) return FileKind::xsens_mtdata2;
+  if (is_pni(head)) return FileKind::pni_tcm;
   return sniff_lines(head, size);
 }
 

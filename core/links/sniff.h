@@ -12,7 +12,12 @@ enum class FileKind : std::uint8_t {
   tlog,          ///< "(unix seconds) source payload" lines
   stamped_text,  ///< ISO 8601 arrival time before each line
   nmea,          ///< plain NMEA 0183 stream
+  iec61162_450,  ///< datagrams of sentences, one behind the other
   trdi_pd0,
+  waterlinked_serial,
+  waterlinked_json,
+  navquest,
+  paroscientific,
   session,  ///< a Leadline session
   sqlite,   ///< another SQLite file, see sqlite_application_id
   xtf,
@@ -20,7 +25,11 @@ enum class FileKind : std::uint8_t {
   pcap,
   pcapng,
   mavlink,  ///< telemetry log: time stamp and MAVLink frame in turn
-  table,    ///< rows of mostly numbers in equal columns
+  nortek_dvl,
+  evologics_usbl,
+  xsens_mtdata2,
+  pni_tcm,
+  table,  ///< rows of mostly numbers in equal columns
   text,
   unknown,
 };

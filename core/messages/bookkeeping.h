@@ -11,11 +11,17 @@
 
 namespace leadline {
 
+/// Who sent a datagram, "ADDRESS:PORT" (IPv6 in brackets); empty where a link does not tell.
+using SenderName = Text<47>;
+
 /// Bytes exactly as they came. They live only until the Bus has handed the message to everybody; every other
 /// message points to it by Envelope::raw.
 struct RawFrame {
   std::span<const std::uint8_t> bytes;
-  bool operator==(const RawFrame& o) const { return std::ranges::equal(bytes, o.bytes); }
+  SenderName sender = {};  ///< who sent them, where the link tells
+  bool operator==(const RawFrame& o) const {
+    return std::ranges::equal(bytes, o.bytes) && sender == o.sender;
+  }
 };
 
 /// Bytes that were not used because they were damaged, torn or out of range.

@@ -6,11 +6,19 @@
 #include <string>
 
 #include "core/sim/sensors/faults.h"
+#include "core/sim/telegrams/evologics_writer.h"
+#include "core/sim/telegrams/navquest_writer.h"
 #include "core/sim/telegrams/nmea_writer.h"
+#include "core/sim/telegrams/nortek_writer.h"
 #include "core/sim/telegrams/pd0_writer.h"
 #include "core/sim/telegrams/pd4_writer.h"
 #include "core/sim/telegrams/pd6_writer.h"
+#include "core/sim/telegrams/pni_writer.h"
+#include "core/sim/telegrams/pressure_writer.h"
 #include "core/sim/telegrams/table_writer.h"
+#include "core/sim/telegrams/udpbc_writer.h"
+#include "core/sim/telegrams/waterlinked_writer.h"
+#include "core/sim/telegrams/xsens_writer.h"
 
 namespace leadline::sim {
 namespace {
@@ -59,10 +67,12 @@ struct MakeModel {
 
 /// One sensor at work.
 struct Sensor {
-  Sensor(const SensorSetup& s, std::uint64_t seed, const geo::MagneticModel* magnetic, Time start)
+  Sensor(const SensorSetup& s, std::size_t number, std::uint64_t seed, const geo::MagneticModel* magnetic,
+         Time start)
       : setup(&s),
         format(format_of(s)),
         sentences(sentences_of(s)),
+        udpbc(sfi_of(s, number)),
         pose(true_pose(s)),
         model(std::visit(MakeModel{s, magnetic, start, Random(seed, s.options.name)}, s.errors)),
         faults(s.faults),
@@ -79,6 +89,7 @@ struct Sensor {
   const SensorSetup* setup;
   std::string format;
   std::vector<std::string> sentences;
+  encode::Udpbc udpbc;
   Pose pose;
   Model model;
   Faults faults;
@@ -87,6 +98,7 @@ struct Sensor {
   Arrival last;
   InertialIncrement increment;
   double covered_s = 0.0;
+  std::uint16_t packets = 0;
 };
 
 struct Heard {
@@ -120,7 +132,8 @@ struct Simulation::World {
                    : std::nullopt;
     };
     vehicle = make(s.vehicle), ship = make(s.ship), target = make(s.target);
-    for (const auto& sensor : scenario.sensors) instruments.emplace_back(sensor, seed, magnetic, start);
+    for (const auto& sensor : scenario.sensors)
+      instruments.emplace_back(sensor, instruments.size() + 1, seed, magnetic, start);
   }
 
   [[nodiscard]] std::optional<Motion>& motion(const std::string& body) {
@@ -217,7 +230,7 @@ struct Simulation::World {
     return std::get<EchoSounder>(instrument.model).measure(view);
   }
 
-  void write(const Sensor& instrument, Time device, const Measurement& measurement) {
+  void write(Sensor& instrument, Time device, const Measurement& measurement) {
     telegrams.clear();
     const auto write_dvl = [&](auto writer) {
       writer(std::get<DvlOptions>(instrument.setup->errors), device, std::get<DvlMeasurement>(measurement),
@@ -229,13 +242,39 @@ struct Simulation::World {
       write_dvl(write_pd4);
     else if (instrument.format == "trdi-pd6")
       write_dvl(write_pd6);
+    else if (instrument.format == "waterlinked-serial")
+      write_dvl(write_waterlinked_serial);
+    else if (instrument.format == "waterlinked-json")
+      write_dvl(write_waterlinked_json);
+    else if (instrument.format == "nortek-dvl")
+      write_dvl(write_nortek);
+    else if (instrument.format == "evologics-usbl")
+      write_evologics(device, std::get<UsblMeasurement>(measurement), telegrams);
+    else if (instrument.format == "pni-tcm")
+      write_pni(std::get<CompassMeasurement>(measurement), telegrams);
+    else if (const auto* imu = std::get_if<ImuSample>(&measurement);
+             imu && instrument.format == "xsens-mtdata2")
+      write_xsens(instrument.packets++, device, *imu, telegrams);
+    else if (instrument.format == "xsens-mtdata2")
+      write_xsens(instrument.packets++, device, std::get<AttitudeMeasurement>(measurement), telegrams);
+    else if (instrument.format == "navquest")
+      write_dvl(write_navquest);
+    else if (instrument.format == "valeport")
+      write_valeport(std::get<DepthMeasurement>(measurement), telegrams);
+    else if (instrument.format == "paroscientific")
+      write_paroscientific(std::get<DepthMeasurement>(measurement), telegrams);
     else if (instrument.format == "table")
       write_row(*instrument.setup, device, measurement, telegrams);
+    else if (instrument.format == "iec61162-450")
+      write_udpbc(*instrument.setup, instrument.sentences, device, measurement, instrument.udpbc, telegrams);
     else
       write_nmea(*instrument.setup, instrument.sentences, device, measurement, telegrams);
   }
 
-  static bool is_binary(const std::string& format) { return format == "trdi-pd0" || format == "trdi-pd4"; }
+  static bool is_binary(const std::string& format) {
+    return format == "trdi-pd0" || format == "trdi-pd4" || format == "nortek-dvl" || format == "pni-tcm" ||
+           format == "xsens-mtdata2";
+  }
 
   static std::string garbage(Sensor& instrument, std::int64_t count) {
     std::string bytes;

@@ -47,6 +47,13 @@ void GuardedDecoder::guarded(DecoderOutput& out, Call call) {
   }
 }
 
+void GuardedDecoder::sender(std::string_view name) {
+  try {
+    if (decoder_) decoder_->sender(name);
+  } catch (...) {  // it holds no bytes of it: what it missed is its own loss
+  }
+}
+
 void GuardedDecoder::feed(std::span<const std::uint8_t> bytes, std::optional<Arrival> arrival,
                           DecoderOutput& out) {
   fed_ += bytes.size();

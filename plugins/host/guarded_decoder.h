@@ -21,6 +21,7 @@ class GuardedDecoder final : public Decoder, private DecoderOutput {
  public:
   GuardedDecoder(std::unique_ptr<Decoder> decoder, DecoderMaker maker);
 
+  void sender(std::string_view name) override;
   void feed(std::span<const std::uint8_t> bytes, std::optional<Arrival> arrival, DecoderOutput& out) override;
   void finish(DecoderOutput& out) override;
 

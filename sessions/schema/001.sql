@@ -87,7 +87,8 @@ CREATE TABLE raw_frame (
   source INTEGER REFERENCES source (id),
   arrival_ns INTEGER NOT NULL,
   wall_ns INTEGER,
-  bytes BLOB NOT NULL
+  bytes BLOB NOT NULL,
+  sender TEXT                        -- of a datagram: address and port; a replay tells senders apart as the run did
 ) STRICT;
 
 -- Facts, refusals and what engines say: one table a kind of message, with the same first columns. frame is the

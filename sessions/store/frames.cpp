@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::size_t kMostRows = 512, kMostBytes = std::size_t{1} << 20;  // a page
 
-/// The words with which a log refuses a line; they outlive every reader.
-constexpr std::array<std::string_view, 4> kLineWords = {"hex", "stamp", "truncated", "too long"};
+/// The words with which a log refuses a line and a live run what it has no time to decode; they outlive every
+/// reader.
+constexpr std::array<std::string_view, 5> kLineWords = {"hex", "stamp", "truncated", "too long", "overload"};
 
 }  // namespace
 
@@ -44,7 +45,7 @@ Result<void> FrameReader::fill() {
     at_ = 0;
     SQLite::Statement query(
         database,
-        "SELECT f.id, f.source, f.arrival_ns, f.wall_ns, f.bytes, r.reason FROM raw_frame f "
+        "SELECT f.id, f.source, f.arrival_ns, f.wall_ns, f.bytes, r.reason, f.sender FROM raw_frame f "
         "LEFT JOIN rejected r ON r.id = f.id + 1 AND r.frame = f.id AND r.offset_bytes = 0 "
         "AND r.length_bytes = length(f.bytes) WHERE f.id > ? AND f.id < ? ORDER BY f.id LIMIT ?");
     query.bind(1, after_), query.bind(2, id_of(run_ + 1, 0)), query.bind(3, static_cast<int>(kMostRows));
@@ -69,6 +70,8 @@ Result<void> FrameReader::fill() {
       bytes_.insert(bytes_.end(), data, data + row.size);
       if (const SQLite::Column reason = query.getColumn(5); !reason.isNull())
         row.frame.settled = settled_word(text_of(reason), row.frame);
+      if (const SQLite::Column sender = query.getColumn(6); !sender.isNull())
+        row.frame.sender = SenderName(text_of(sender));
       if (row.frame.source < heard_.size()) heard_[row.frame.source] = true;
     }
     ended_ = page_.empty();

@@ -18,6 +18,7 @@ struct StoredFrame {
   Arrival arrival;
   Time wall;
   std::span<const std::uint8_t> bytes;
+  SenderName sender;
   /// Why its log refused the line before any decoder saw it: one of the words of core/links; else empty.
   std::string_view settled;
 };

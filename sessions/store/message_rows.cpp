@@ -111,7 +111,8 @@ void MessageWriter::bind_source(SQLite::Statement& statement, int index, SourceI
 void MessageWriter::put(const Envelope& envelope) {
   if (const auto* raw = std::get_if<RawFrame>(&envelope.message)) {
     if (!stores_frames_) return;
-    static const std::vector<std::string> kColumns = {"id", "source", "arrival_ns", "wall_ns", "bytes"};
+    static const std::vector<std::string> kColumns = {"id",      "source", "arrival_ns",
+                                                      "wall_ns", "bytes",  "sender"};
     SQLite::Statement& insert = statement(kRawFrame, "raw_frame", kColumns);
     insert.bind(1, id_of(run_, envelope.seq));
     bind_source(insert, 2, envelope.source);
@@ -120,6 +121,7 @@ void MessageWriter::put(const Envelope& envelope) {
     // An empty frame has no address, and NULL bytes are no blob.
     insert.bindNoCopy(5, raw->bytes.empty() ? "" : static_cast<const void*>(raw->bytes.data()),
                       static_cast<int>(raw->bytes.size()));
+    if (!raw->sender.empty()) insert.bind(6, std::string(raw->sender.view()));
     insert.exec();
     return;
   }

@@ -254,6 +254,9 @@ TEST(Configuration, MistakesAreNamedByFileLineAndKey) {
   refused(good + "[[calibration]]\nsource = \"dvl\"\n", "is no [[source]]");
   refused(good + "[[source]]\nname = \"t\"\ndecoder = \"table\"\ncolumns = [\"latdeg\", \"lon_deg\"]\n",
           "lat_deg");
+  refused(good + "[[source]]\nname = \"p\"\ndecoder = \"paroscientific\"\natmosphere_hp = 1.0\n",
+          "atmosphere_hpa");
+  refused(good + "[[source]]\nname = \"d\"\ndecoder = \"trdi-pd0\"\naxes = \"trdi\"\n", "axes: unknown key");
   EXPECT_EQ(leadline("--check-config " + folder + "/missing.toml").status, 2);
 }
 
@@ -263,8 +266,8 @@ TEST(Configuration, TheExampleIsComplete) {
   ASSERT_EQ(example.status, 0);
   const auto checked = leadline("--check-config " + write_file(folder + "/example.toml", example.out));
   EXPECT_EQ(checked.status, 0) << checked.err;
-  for (const char* key :
-       {"gnss_drms_m", "water_current_mps", "latency_s", "[[calibration]]", "columns", "x_m"})
+  for (const char* key : {"gnss_drms_m", "water_current_mps", "latency_s", "[[calibration]]", "columns",
+                          "x_m", "usbl_order", "velocity_sign"})
     EXPECT_NE(example.out.find(key), std::string::npos) << key;
 }
 

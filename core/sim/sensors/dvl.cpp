@@ -6,6 +6,14 @@
 
 namespace leadline::sim {
 
+double mean_range_m(const DvlMeasurement& m) {
+  double sum_m = 0.0;
+  int beams = 0;
+  for (std::size_t i = 0; i < 4; i += 2)
+    if (m.beam[i] && m.beam[i + 1]) sum_m += m.range_m[i] + m.range_m[i + 1], beams += 2;
+  return beams > 0 ? sum_m / beams : 0.0;
+}
+
 std::array<Eigen::Vector3d, 4> beam_directions(double beam_angle_rad) {
   const double s = std::sin(beam_angle_rad), c = std::cos(beam_angle_rad);
   return {{{0, s, c}, {0, -s, c}, {s, 0, c}, {-s, 0, c}}};

@@ -41,6 +41,9 @@ struct DvlMeasurement {
   std::uint32_t number = 0;
 };
 
+/// Mean over the pairs of opposite beams that both see the bottom; 0 without one.
+[[nodiscard]] double mean_range_m(const DvlMeasurement& measurement);
+
 class Dvl {
  public:
   /// C_bs: the mount as the device knows it, for ship coordinates.

@@ -19,16 +19,21 @@ struct Kind {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> kKinds{
-      {"gnss", {"nmea0183", "table"}, {"GGA", "RMC", "GNS", "GLL", "VTG", "ZDA", "GST"}, 2},
+      {"gnss", {"nmea0183", "iec61162-450", "table"}, {"GGA", "RMC", "GNS", "GLL", "VTG", "ZDA", "GST"}, 2},
       {"usbl",
-       {"nmea0183"},
+       {"nmea0183", "iec61162-450", "evologics-usbl"},
        {"PSIMSSB-H", "PSIMSSB-N", "PSIMSSB-E", "PSIMSSB-R", "PSIMSSB-U", "PTSAG", "PTSAX"}},
-      {"dvl", {"trdi-pd0", "trdi-pd4", "trdi-pd6", "nmea0183", "table"}, {"VBW"}},
-      {"ahrs", {"nmea0183", "table"}, {"PASHR", "HDT", "THS", "ROT", "PRDID", "PSXN", "XDR"}},
-      {"compass", {"nmea0183", "table"}, {"HDG", "HDM"}},
-      {"imu", {"table"}, {}, 0},
-      {"depth", {"table"}, {}, 0},
-      {"altitude", {"nmea0183", "table"}, {"DPT", "DBT"}},
+      {"dvl",
+       {"trdi-pd0", "trdi-pd4", "trdi-pd6", "waterlinked-serial", "waterlinked-json", "navquest",
+        "nortek-dvl", "nmea0183", "iec61162-450", "table"},
+       {"VBW"}},
+      {"ahrs",
+       {"nmea0183", "iec61162-450", "xsens-mtdata2", "table"},
+       {"PASHR", "HDT", "THS", "ROT", "PRDID", "PSXN", "XDR"}},
+      {"compass", {"nmea0183", "iec61162-450", "pni-tcm", "table"}, {"HDG", "HDM"}},
+      {"imu", {"table", "xsens-mtdata2"}, {}, 0},
+      {"depth", {"table", "valeport", "paroscientific"}, {}, 0},
+      {"altitude", {"nmea0183", "iec61162-450", "table"}, {"DPT", "DBT"}},
   };
   return kKinds;
 }
@@ -62,6 +67,8 @@ void check_usbl(const SensorSetup& sensor, const UsblOptions& o, std::vector<Sen
   for (const auto& sentence : sentences_of(sensor))
     if (sentence.substr(0, 3) == "PTS" && (!is_number(o.transponder) || std::stoi(o.transponder) == 0))
       problems.push_back({"transponder", "must be a number from 1 to 9999 for " + sentence});
+  if (format_of(sensor) == "evologics-usbl" && !is_number(o.transponder))
+    problems.push_back({"transponder", "must be a number for evologics-usbl"});
   if (o.outlier_to_m < o.outlier_from_m) problems.push_back({"outlier_to_m", "is less than outlier_from_m"});
 }
 
@@ -83,7 +90,9 @@ std::span<const Key<SensorOptions>> sensor_keys() {
        "how it speaks; left out: as its kind usually does",
        0,
        0,
-       {"nmea0183", "trdi-pd0", "trdi-pd4", "trdi-pd6", "table"}},
+       {"nmea0183", "iec61162-450", "trdi-pd0", "trdi-pd4", "trdi-pd6", "waterlinked-serial",
+        "waterlinked-json", "navquest", "nortek-dvl", "evologics-usbl", "pni-tcm", "xsens-mtdata2",
+        "valeport", "paroscientific", "table"}},
       {"sentences", &O::sentences, "of NMEA 0183; left out: the usual ones"},
       {"talker", &O::talker, "of standard sentences; left out: the usual one"},
       {"link", &O::link, "where it is sent with --live; left out: it is not"},
@@ -156,7 +165,8 @@ std::string format_of(const SensorSetup& sensor) {
 
 std::vector<std::string> sentences_of(const SensorSetup& sensor) {
   const Kind* const kind = find_kind(sensor.options.kind);
-  if (!kind || format_of(sensor) != "nmea0183") return {};
+  const std::string format = format_of(sensor);
+  if (!kind || (format != "nmea0183" && format != "iec61162-450")) return {};
   if (!sensor.options.sentences.empty()) return sensor.options.sentences;
   std::vector<std::string> usual(kind->sentences.begin(),
                                  kind->sentences.begin() + static_cast<std::ptrdiff_t>(kind->usual));
@@ -179,6 +189,9 @@ std::vector<SensorProblem> check_sensor(const SensorSetup& sensor) {
                                                    sentence, fmt::join(kind->sentences, ", "))});
   if (!o.talker.empty() && (o.talker.size() != 2 || !is_plain(o.talker) || o.talker[0] == 'P'))
     problems.push_back({"talker", "must be two letters or digits, P not first"});
+  if (const auto* imu = std::get_if<ImuOptions>(&sensor.errors))
+    if (imu->increments && format_of(sensor) == "xsens-mtdata2")
+      problems.push_back({"increments", "xsens-mtdata2 sends rates and accelerations here"});
   if (const auto* usbl = std::get_if<UsblOptions>(&sensor.errors)) check_usbl(sensor, *usbl, problems);
   if (const auto* dvl = std::get_if<DvlOptions>(&sensor.errors))
     if (format_of(sensor) == "trdi-pd0" && dvl->beam_angle_deg != std::floor(dvl->beam_angle_deg))
@@ -186,6 +199,10 @@ std::vector<SensorProblem> check_sensor(const SensorSetup& sensor) {
   if (const auto* dvl = std::get_if<DvlOptions>(&sensor.errors))
     if (dvl->coordinates == "beam" && (format_of(sensor) == "trdi-pd4" || format_of(sensor) == "trdi-pd6"))
       problems.push_back({"coordinates", "only PD0 can send beam coordinates"});
+  if (const auto* dvl = std::get_if<DvlOptions>(&sensor.errors))
+    if (dvl->coordinates != "instrument" &&
+        one_of({"waterlinked-serial", "waterlinked-json", "navquest", "nortek-dvl"}, format_of(sensor)))
+      problems.push_back({"coordinates", format_of(sensor) + " sends instrument coordinates only"});
   return problems;
 }
 
@@ -202,6 +219,9 @@ std::optional<SensorProblem> check_fault(const SensorSetup& sensor, const FaultO
     return SensorProblem{"kind", "a table has no checksum: a turned bit would pass for data"};
   if (fault.kind == "corrupt" && format_of(sensor) == "trdi-pd6")
     return SensorProblem{"kind", "PD6 has no checksum: a turned bit would pass for data"};
+  if (fault.kind == "corrupt" &&
+      one_of({"waterlinked-json", "navquest", "paroscientific", "evologics-usbl"}, format_of(sensor)))
+    return SensorProblem{"kind", format_of(sensor) + " has no checksum: a turned bit would pass for data"};
   return std::nullopt;
 }
 

@@ -52,15 +52,6 @@ void write_velocity(char reference, const DvlOptions& o, const DvlMeasurement& m
   line(out, ":{}E,{:+6d},{:+6d},{:+6d},{}", reference, v[0], v[1], v[2], status);
 }
 
-/// Mean over the pairs of opposite beams that both see the bottom; 0 without one.
-double range_m(const DvlMeasurement& m) {
-  double sum_m = 0.0;
-  int beams = 0;
-  for (std::size_t i = 0; i < 4; i += 2)
-    if (m.beam[i] && m.beam[i + 1]) sum_m += m.range_m[i] + m.range_m[i + 1], beams += 2;
-  return beams > 0 ? sum_m / beams : 0.0;
-}
-
 double in_deg(Angle angle) { return std::round(angle.deg() * 100.0) / 100.0 + 0.0; }
 
 }  // namespace
@@ -76,7 +67,7 @@ void write_pd6(const DvlOptions& o, Time device, const DvlMeasurement& m, Telegr
   if (m.water_s) write_velocity('W', o, m, *m.water_s, true, true, out);
   const bool all_beams = std::all_of(m.beam.begin(), m.beam.end(), [](bool b) { return b; });
   write_velocity('B', o, m, m.v_s, m.bottom, all_beams, out);
-  line(out, ":BD,{:+12.2f},{:+12.2f},{:+12.2f},{:7.2f},{:6.2f}", 0.0, 0.0, 0.0, range_m(m),
+  line(out, ":BD,{:+12.2f},{:+12.2f},{:+12.2f},{:7.2f},{:6.2f}", 0.0, 0.0, 0.0, mean_range_m(m),
        m.bottom ? 0.0 : 1.0);
 }
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "core/decode/byte_order.h"
 #include "core/decode/trdi_pd0_facts.h"
-#include "core/decode/trdi_pd0_fields.h"
 #include "tests/unit/core/decode/trdi_pd0_samples.h"
 
 namespace leadline::test {

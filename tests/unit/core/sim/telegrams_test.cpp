@@ -52,6 +52,17 @@ TEST(Telegrams, GnssSentencesSayWhatWasMeasured) {
   EXPECT_GT(heard(sensor_of("gnss", errors, "", {"GST", "GGA"})).worst.at("it sigma, m").count, 400);
 }
 
+TEST(Telegrams, DatagramsOfIec61162450SayWhatWasMeasured) {
+  const GnssOptions errors{.drms_m = 3, .height_noise_m = 2, .speed_noise_mps = 0.3, .position_decimals = 5};
+  const auto gnss = heard(sensor_of("gnss", errors, "iec61162-450"));
+  EXPECT_EQ(gnss.worst.at("it position, m").count, 420) << "GGA and RMC are one group, one fix an epoch";
+  EXPECT_GT(gnss.worst.at("it position, m").error, 0.005) << "the resolution is felt";
+  EXPECT_EQ(gnss.worst.at("it speed, m/s").count, 420);
+  EXPECT_EQ(gnss.frames, 420) << "a datagram a measurement";
+  const auto ahrs = heard(sensor_of("ahrs", AhrsOptions{}, "iec61162-450", {"HDT", "ROT"}));
+  EXPECT_EQ(ahrs.worst.at("it heading, deg").count, 420);
+}
+
 TEST(Telegrams, AGnssWithoutAFixSaysSo) {
   GnssOptions errors;
   errors.deepest_m = -50.0;
@@ -132,6 +143,80 @@ TEST(Telegrams, Pd4AndPd6CannotSayBeamVelocities) {
   }
 }
 
+TEST(Telegrams, TextDvlsSayWhatWasMeasured) {
+  DvlOptions errors{.noise_mps = 0.02,
+                    .beam_loss_share = 0.1,
+                    .range_noise_percent = 1,
+                    .water_track = true,
+                    .water_noise_mps = 0.02,
+                    .tilt_noise_deg = 0.3};
+  for (const std::string format : {"waterlinked-serial", "waterlinked-json", "navquest"})
+    for (const bool told : {false, true}) {
+      errors.attitude_told = told;
+      SensorSetup sensor = sensor_of("dvl", errors, format);
+      sensor.mount = {.pitch_deg = 2.0, .yaw_deg = 45.0};
+      const auto trip = heard(sensor);
+      const bool navquest = format == "navquest";
+      const auto& bottom = trip.worst.at("it bottom velocity, m/s");
+      EXPECT_GT(bottom.count, 350) << format;
+      EXPECT_LT(bottom.count, 420) << format << ": some lock is lost with two beams";
+      EXPECT_GT(bottom.error, 0.5 * bottom.resolution) << format;
+      const auto& water = trip.worst.at("it water velocity, m/s");
+      EXPECT_EQ(water.count, navquest ? 420 - bottom.count : 420) << format << ": one line, one of them";
+      EXPECT_GT(trip.worst.at("it altitude, m").count, 320) << format;
+      EXPECT_GT(trip.worst.at("it range, m").count, 4 * 400) << format;
+      EXPECT_EQ(trip.worst.count("it roll, deg"), told ? 1u : 0u) << format;
+      EXPECT_EQ(trip.worst.count("it heading, deg"), told && navquest ? 1u : 0u) << format;
+      EXPECT_EQ(trip.worst.count("it clock"), navquest ? 0u : 1u) << format;
+      sensor.errors = DvlOptions{.coordinates = "earth"};
+      EXPECT_EQ(check_sensor(sensor).size(), 1u) << format;
+    }
+}
+
+TEST(Telegrams, PressureSensorsSayWhatWasMeasured) {
+  for (const std::string format : {"valeport", "paroscientific"}) {
+    const auto trip = heard(sensor_of("depth", DepthOptions{.noise_m = 0.1}, format));
+    EXPECT_EQ(trip.worst.at("it depth, m").count, 420) << format;
+    EXPECT_EQ(trip.worst.at("it pressure, m").count, 420) << format;
+  }
+}
+
+TEST(Telegrams, BinaryInstrumentsSayWhatWasMeasured) {
+  const DvlOptions errors{
+      .noise_mps = 0.02, .beam_loss_share = 0.1, .range_noise_percent = 1, .water_track = true};
+  const auto dvl = heard(sensor_of("dvl", errors, "nortek-dvl"));
+  EXPECT_GT(dvl.worst.at("it bottom velocity, m/s").count, 350);
+  EXPECT_LT(dvl.worst.at("it bottom velocity, m/s").count, 420) << "some lock is lost with two beams";
+  EXPECT_EQ(dvl.worst.at("it water velocity, m/s").count, 420);
+  EXPECT_EQ(dvl.worst.at("it pressure, m").count, 840) << "both records tell it";
+  EXPECT_GT(dvl.worst.at("it altitude, m").count, 350);
+  const CompassOptions compass{.declination_deg = -7.5, .noise_deg = 1};
+  EXPECT_EQ(heard(sensor_of("compass", compass, "pni-tcm")).worst.at("it heading, deg").count, 420);
+  const auto ahrs =
+      heard(sensor_of("ahrs", AhrsOptions{.heading_noise_deg = 1, .tilt_noise_deg = 1, .rate_noise_dps = 1},
+                      "xsens-mtdata2"));
+  for (const char* what : {"it heading, deg", "it roll, deg", "it pitch, deg", "it rate, rad/s", "it clock"})
+    EXPECT_EQ(ahrs.worst.at(what).count, 420) << what;
+  const ImuOptions imu{.gyro_noise_deg_sqrt_h = 0.1, .accel_noise_ug_sqrt_hz = 10};
+  EXPECT_EQ(heard(sensor_of("imu", imu, "xsens-mtdata2")).worst.at("it accel, m/s2").count, 419);
+  SensorSetup increments = sensor_of("imu", imu, "xsens-mtdata2");
+  increments.errors = ImuOptions{.increments = true};
+  EXPECT_EQ(check_sensor(increments).size(), 1u);
+  const UsblOptions usbl{.transponder = "7", .drms_m = 3, .depth_noise_m = 1};
+  EXPECT_GT(heard(sensor_of("usbl", usbl, "evologics-usbl")).worst.at("it offset, m").count, 400);
+}
+
+TEST(Telegrams, WithoutAChecksumCannotBeSimulatedCorrupt) {
+  const FaultOptions corrupt{.kind = "corrupt"};
+  for (const std::string format : {"waterlinked-json", "navquest"})
+    EXPECT_TRUE(check_fault(sensor_of("dvl", DvlOptions{}, format), corrupt)) << format;
+  EXPECT_TRUE(check_fault(sensor_of("depth", DepthOptions{}, "paroscientific"), corrupt));
+  SensorSetup dvl = sensor_of("dvl", DvlOptions{}, "waterlinked-serial");
+  EXPECT_FALSE(check_fault(dvl, corrupt));
+  dvl.faults = {{.kind = "corrupt", .from_s = 10.0, .until_s = 20.0}};
+  EXPECT_EQ(heard(dvl).worst.at("it bottom velocity, m/s").count, 350);
+}
+
 TEST(Telegrams, ADvlSpeaksVbwAndTables) {
   const DvlOptions errors{.noise_mps = 0.02, .water_track = true};
   EXPECT_EQ(heard(sensor_of("dvl", errors, "nmea0183")).worst.at("it bottom velocity, m/s").count, 420);
@@ -208,7 +293,8 @@ TEST(Telegrams, OfADamagedScenarioAreRefusedAndNothingElseIs) {
   SensorSetup dvl = sensor_of("dvl", DvlOptions{});
   dvl.faults = {{.kind = "garbage", .from_s = 30.0, .until_s = 40.0, .bytes = 40}};
   EXPECT_EQ(heard(dvl).worst.at("it bottom velocity, m/s").count, 420) << "ensembles are found in rubbish";
-  for (const std::string format : {"trdi-pd4", "trdi-pd6"}) {
+  for (const std::string format :
+       {"trdi-pd4", "trdi-pd6", "nortek-dvl", "waterlinked-serial", "waterlinked-json", "navquest"}) {
     dvl.options.format = format;
     EXPECT_EQ(heard(dvl).worst.at("it bottom velocity, m/s").count, 420) << format;
   }

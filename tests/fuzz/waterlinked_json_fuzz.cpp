@@ -1,0 +1,8 @@
+#include "core/decode/waterlinked_json.h"
+#include "tests/fuzz/decoder_law.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  leadline::test::expect_decoder_law({data, size},
+                                     [] { return leadline::decode::make_waterlinked_json({}); });
+  return 0;
+}

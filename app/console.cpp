@@ -3,14 +3,20 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "app/beside_program.h"
 #include "app/configuration.h"
 #include "app/console/request.h"
+#include "app/interrupt.h"
+#include "app/live_run.h"
+#include "app/outputs.h"
 #include "app/plugins.h"
 #include "app/talk.h"
 #include "sessions/store/session.h"
@@ -42,6 +48,42 @@ std::optional<std::pair<int, int>> parse_size(const std::string& text) {
 ConsoleNames names_of(const Configuration& configuration) {
   return {configuration.vehicle, configuration.navigation.navigation.engine,
           configuration.navigation.navigation.body == "ship"};
+}
+
+/// A configuration whose sources all have links, and no session that is there already: a live run.
+bool wants_live(const ConsoleOptions& options, const Configuration& configuration) {
+  return !std::filesystem::exists(options.session) &&
+         std::all_of(configuration.sources.begin(), configuration.sources.end(),
+                     [](const auto& source) { return !source.options.link.empty(); });
+}
+
+/// The live run on a core thread of its own.
+ConsoleLive live_request(LiveRun& live, const Configuration& configuration, std::thread& core,
+                         std::atomic<bool>& ended, Result<void>& outcome) {
+  ConsoleLive request;
+  request.sources = source_infos(configuration);
+  for (const auto& source : configuration.sources) request.decoders.push_back(source.options.decoder);
+  request.engines = live.engine_names();
+  request.names = names_of(configuration);
+  request.session = live.session_path();
+  request.start = [&](const std::vector<Sink*>& sinks) {
+    for (Sink* sink : sinks) live.attach(*sink);
+    core = std::thread([&] { outcome = live.run([&] { return !ended && !interrupted(); }); });
+  };
+  request.stop = [&] {
+    ended = true;
+    if (core.joinable()) core.join();
+    return outcome;
+  };
+  request.links = [&] {
+    std::vector<ConsoleLink> links;
+    for (const auto& [address, sources, status, not_decoded] : live.links())
+      links.push_back({address.text(), status.last_error, sources, status.open, status.heard_bytes,
+                       status.heard_frames, status.kernel_drops});
+    return links;
+  };
+  request.over = interrupted;
+  return request;
 }
 
 /// A screen, or for a picture none at all.
@@ -77,7 +119,7 @@ Exit console(const ConsoleOptions& options) {
                                kSmallestHeight, kLargest, kLargest),
                    "--size", "write it as 1920x1080"},
                   Exit::misused);
-  if (options.after_s && options.session.empty())
+  if (options.after_s && options.session.empty() && options.config.empty())
     return failed({"counts seconds of a session, and there is none", "--after", "give --session"},
                   Exit::misused);
   if (!has_display()) {
@@ -88,15 +130,33 @@ Exit console(const ConsoleOptions& options) {
   }
   const PluginHost plugins = load_plugins(options.plugin_paths);
   std::optional<ConsoleNames> given;
+  LoadedConfiguration loaded_config;
+  std::unique_ptr<LiveRun> live;
   if (!options.config.empty()) {
-    const auto loaded = load_configuration(options.config, plugins);
-    for (const auto& problem : loaded.problems) failure(problem);
-    if (!loaded.problems.empty()) return Exit::misused;
-    given = names_of(loaded.configuration);
+    loaded_config = load_configuration(options.config, plugins);
+    for (const auto& problem : loaded_config.problems) failure(problem);
+    if (!loaded_config.problems.empty()) return Exit::misused;
+    given = names_of(loaded_config.configuration);
+    if (wants_live(options, loaded_config.configuration)) {
+      catch_interrupts();
+      auto opened = LiveRun::open({.session = options.session}, loaded_config.configuration, plugins);
+      if (!opened) return failed(opened.error());
+      live = std::move(opened).value();
+      for (const auto& line : live->notes()) note(line);
+    }
   }
+  std::thread core;
+  std::atomic<bool> ended = false;
+  Result<void> outcome;
+  ConsoleLive live_part;
 
   ConsoleRequest request;
-  request.session = options.session;
+  if (live) {
+    live_part = live_request(*live, loaded_config.configuration, core, ended, outcome);
+    request.live = &live_part;
+  } else {
+    request.session = options.session;
+  }
   request.screenshot = options.screenshot;
   request.after_s = options.after_s;
   request.width = size->first;

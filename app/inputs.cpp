@@ -43,6 +43,7 @@ std::optional<SourceId> source_named(const Configuration& c, std::string_view na
 bool suits(const std::string& decoder, FileKind kind) {
   if (decoder == "trdi-pd0") return kind == FileKind::trdi_pd0;
   if (decoder == "nmea0183") return kind == FileKind::nmea || kind == FileKind::text;
+  if (decoder == "iec61162-450") return kind == FileKind::iec61162_450 || kind == FileKind::nmea;
   if (decoder == "table") return kind == FileKind::table || kind == FileKind::text || kind == FileKind::nmea;
   return true;
 }
@@ -98,6 +99,28 @@ std::optional<InputError> open_session(const Configuration& c, OpenInput& input)
   return std::nullopt;
 }
 
+/// A network capture: packets are mapped to sources by the ports of their links.
+std::optional<InputError> open_capture(const Configuration& c, OpenInput& input) {
+  std::vector<links::CapturedSource> sources;
+  for (std::size_t i = 0; i < c.sources.size(); ++i) {
+    const auto link = links::parse_link(c.sources[i].options.link);
+    if (!link || (link.value().kind != links::LinkKind::udp && link.value().kind != links::LinkKind::tcp &&
+                  link.value().kind != links::LinkKind::tcp_listen))
+      continue;
+    sources.push_back({static_cast<SourceId>(i), link.value()});
+    input.stamped_ids.push_back(static_cast<SourceId>(i));
+  }
+  if (sources.empty())
+    return misuse(input.path, "is a network capture, and no source has a udp:// or tcp:// link",
+                  "give each source of " + c.file + " the link it was heard on");
+  auto source = links::CaptureSource::open(input.path, std::move(sources));
+  if (!source) return InputError{Exit::failed, source.error()};
+  auto kept = std::make_unique<links::CaptureSource>(std::move(source).value());
+  input.capture = kept.get();
+  input.source = std::move(kept);
+  return std::nullopt;
+}
+
 std::optional<InputError> open_one(const Argument& argument, const Configuration& c,
                                    const PluginHost& plugins, OpenInput& input, bool& empty) {
   input.path = argument.path;
@@ -108,6 +131,7 @@ std::optional<InputError> open_one(const Argument& argument, const Configuration
   empty = kind == FileKind::empty;
   if (empty) return std::nullopt;
   if (kind == FileKind::session) return open_session(c, input);
+  if (kind == FileKind::pcap || kind == FileKind::pcapng) return open_capture(c, input);
   if (kind == FileKind::tlog) {
     std::vector<links::SourceName> names;
     for (std::size_t i = 0; i < c.sources.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "app/configuration.h"
 #include "app/exit_status.h"
 #include "core/flow/source.h"
+#include "core/links/capture_source.h"
 #include "core/links/tlog_source.h"
 #include "sessions/replay/session_source.h"
 
@@ -24,6 +25,7 @@ struct OpenInput {
   std::unique_ptr<Source> source;
   const links::TlogSource* tlog = nullptr;            ///< to ask for unknown names at the end
   const links::StampedLineSource* stamped = nullptr;  ///< to ask for backward stamps
+  const links::CaptureSource* capture = nullptr;      ///< to ask for packets of nobody
   const sessions::SessionSource* session = nullptr;   ///< to ask how it ended
   std::vector<SourceId> stamped_ids;                  ///< sources whose arrivals come from the log
 };

@@ -22,8 +22,16 @@ Exit list(const std::string& what, const PluginHost& plugins, bool json) {
     for (const auto& decoder : plugins.decoders())
       entries.push_back({decoder.name, decoder.help, decoder.plugin});
   } else {
-    entries.push_back(
-        {"file", "a log or one instrument's bytes: INPUT or source=INPUT of `leadline replay`", ""});
+    entries = {
+        {"serial",
+         "serial:///dev/ttyUSB0?baud=115200&parity=n&flow=none: a serial line, reopened when plugged in "
+         "again",
+         ""},
+        {"udp", "udp://0.0.0.0:4001, udp://239.192.0.4:60004?iface=eth0: datagrams to a port or a group", ""},
+        {"tcp", "tcp://host:port: a server's stream", ""},
+        {"tcp-listen", "tcp-listen://0.0.0.0:port: our own server, its clients' streams", ""},
+        {"file", "file:///x?follow=1: a file that grows; in replay a log is an INPUT", ""},
+        {"capture", "a .pcap or .pcapng as INPUT of `leadline replay`, by the ports of the links", ""}};
   }
   if (json) {
     nlohmann::ordered_json j = nlohmann::ordered_json::array();

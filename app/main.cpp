@@ -10,6 +10,7 @@
 #include "app/info.h"
 #include "app/list.h"
 #include "app/plugins.h"
+#include "app/record.h"
 #include "app/replay.h"
 #include "app/simulate.h"
 #include "app/talk.h"
@@ -76,13 +77,19 @@ int run(int argc, char** argv) {
 
   ConsoleOptions showing;
   auto* console_verb = program.add_subcommand("console", "the operator's console; also without a verb");
-  console_verb->add_option("--config", showing.config, "names; a session carries its own")->type_name("FILE");
-  console_verb->add_option("--session", showing.session, "show this session, paused at its end")
+  console_verb
+      ->add_option("--config", showing.config,
+                   "live on the links of its sources; with a session that is there, its names only")
+      ->type_name("FILE");
+  console_verb
+      ->add_option("--session", showing.session,
+                   "show this session, paused at its end; one that is not there yet records the live run")
       ->type_name("FILE");
   console_verb->add_option("--screenshot", showing.screenshot, "save a picture and leave; needs no display")
       ->type_name("PNG");
   console_verb
-      ->add_option("--after", showing.after_s, "seconds of session time from its start; default its end")
+      ->add_option("--after", showing.after_s,
+                   "seconds of session time from its start; default its end, live 3 s")
       ->check(CLI::NonNegativeNumber)
       ->type_name("S");
   console_verb->add_option("--size", showing.size, "of the window")->type_name("WxH")->capture_default_str();
@@ -95,6 +102,21 @@ int run(int argc, char** argv) {
       ->allow_extra_args(false);
   console_verb->footer(
       "Example: leadline console --session dive.leadline --palette night --screenshot dive.png");
+
+  RecordOptions recording;
+  auto* record_verb = program.add_subcommand("record", "a live run without a window, stored in a session");
+  record_verb->add_option("--config", recording.config, "a configuration whose sources have links")
+      ->required()
+      ->type_name("F");
+  record_verb
+      ->add_option("--session", recording.session,
+                   "a session file to begin or, with a gap mark, to continue; a new one each 24 h or 2 GiB")
+      ->required()
+      ->type_name("F");
+  record_verb->add_option("--duration", recording.duration_s, "seconds; default until SIGINT or SIGTERM")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("S");
+  record_verb->footer("Example: leadline record --config ship.toml --session dive.leadline");
 
   std::vector<std::string> files;
   bool json = false;
@@ -155,6 +177,8 @@ int run(int argc, char** argv) {
   if (!config_to_check.empty())
     return status(check_config(config_to_check, load_plugins(replaying.plugin_paths)));
   if (replay_verb->parsed()) return status(replay(replaying));
+  recording.plugin_paths = replaying.plugin_paths;
+  if (record_verb->parsed()) return status(record(recording));
   if (info_verb->parsed()) return status(info(files, json));
   if (list_verb->parsed()) return status(list(what, load_plugins(replaying.plugin_paths), json));
   simulating.force = replaying.force;

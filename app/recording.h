@@ -8,6 +8,10 @@
 
 namespace leadline::app {
 
+/// What a session keeps of a run that begins now.
+[[nodiscard]] sessions::RunInfo run_info(sessions::RunKind kind, const std::vector<std::string>& engines,
+                                         const Configuration& configuration, const PluginHost& plugins);
+
 /// Begins a run in a session: a new file, or one more run in the session that is being replayed into itself.
 struct RecordingOptions {
   std::string path;

@@ -118,7 +118,7 @@ Exit replay(const ReplayOptions& options) {
   }
   sessions::Summary summary(graph.engine_names, options.inputs, configuration.navigation.navigation.body,
                             stamped);
-  Speaker speaker;
+  Speaker speaker(bus.sources());
   bus.attach(summary);
   bus.attach(speaker);
   std::optional<sessions::SolutionCsv> csv;

@@ -10,7 +10,10 @@ namespace leadline::app {
 
 void Speaker::take(const Envelope& envelope) {
   if (const auto* health = std::get_if<Health>(&envelope.message)) {
-    const std::string line = iso8601(envelope.valid, 1) + " " + std::string(health->text.view());
+    const std::string text(health->text.view());
+    const std::string name = envelope.source < sources_.size() ? sources_[envelope.source].name : "";
+    const bool named = name.empty() || text.find(name) != std::string::npos;
+    const std::string line = iso8601(envelope.valid, 1) + " " + (named ? "" : name + ": ") + text;
     if (health->level == Health::Level::warning)
       warning(line);
     else
@@ -49,6 +52,14 @@ bool report_damage(const Bus& bus, const Inputs& inputs) {
     if (input.stamped != nullptr && input.stamped->failure()) {
       warning(input.stamped->failure()->line());
       damaged = true;
+    }
+    if (input.capture != nullptr) {
+      for (const auto& [port, count] : input.capture->for_nobody())
+        note(fmt::format("{}: {} packets to {}, which is no source's link", input.path, count, port));
+      if (const auto missing = input.capture->missing_bytes(); missing > 0)
+        warning(fmt::format("{}: {} bytes of TCP streams were not captured", input.path, missing));
+      if (input.capture->failure()) warning(input.capture->failure()->line());
+      damaged = damaged || input.capture->missing_bytes() > 0 || input.capture->failure();
     }
     if (input.tlog == nullptr) continue;
     for (const auto& [name, count] : input.tlog->unknown_sources())

@@ -6,10 +6,14 @@
 
 namespace leadline::app {
 
-/// Says what engines have to tell the operator while a replay runs.
+/// Says what engines, decoders and links have to tell the operator while a run goes on.
 class Speaker final : public Sink {
  public:
+  explicit Speaker(const std::vector<SourceInfo>& sources) : sources_(sources) {}
   void take(const Envelope& envelope) override;
+
+ private:
+  const std::vector<SourceInfo>& sources_;
 };
 
 /// Says once, at the end, what the logs suffered. True when a frame was refused or bytes were skipped.

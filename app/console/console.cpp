@@ -11,16 +11,21 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <memory>
 
 #include "app/console/request.h"
+#include "ui/bridge/bridge.h"
+#include "ui/bridge/raw_tail.h"
 #include "ui/chart/background.h"
 #include "ui/look/look.h"
+#include "ui/models/link_rows.h"
 #include "ui/models/session_player.h"
 #include "ui/models/shown_runs.h"
 #include "ui/panels/console_window.h"
+#include "ui/panels/link_panel.h"
 #include "ui/panels/replay_bar.h"
 
 namespace leadline::app {
@@ -29,10 +34,15 @@ namespace {
 constexpr int kDisplay_ms = 50;
 constexpr int kFigures_ms = 200;                ///< numbers change five times a second at most
 constexpr qint64 kLongestLoading_ms = 120'000;  ///< a picture waits so long for what it shows
+constexpr double kMoment_s = 3.0;               ///< until a picture of a live run is taken
 constexpr const char* kPalettes[] = {"day", "dusk", "night"};
 
 ui::Palette palette_named(const std::string& name) {
   return name == "night" ? ui::Palette::night : name == "dusk" ? ui::Palette::dusk : ui::Palette::day;
+}
+
+ui::Body shown_body(Body body) {
+  return body == Body::ship ? ui::Body::ship : body == Body::target ? ui::Body::target : ui::Body::vehicle;
 }
 
 /// How long this process has lived.
@@ -87,8 +97,40 @@ class Console {
     return {};
   }
 
+  /// Shows a live run from now on.
+  void open_live(const ConsoleLive& live) {
+    live_ = &live;
+    ui::ConsoleSetup setup;
+    setup.vehicle = live.names.vehicle;
+    setup.navigated = live.names.ship_is_navigated ? ui::Body::ship : ui::Body::vehicle;
+    if (live.names.ship_is_navigated && live.names.vehicle != "vehicle") setup.ship = live.names.vehicle;
+    setup.engines = live.engines;
+    for (std::size_t i = 0; i < live.sources.size(); ++i)
+      setup.sources.push_back({live.sources[i].name, live.decoders[i], shown_body(live.sources[i].body)});
+    const std::filesystem::path file(live.session);
+    setup.dive = live.session.empty() ? "not recorded" : file.stem().string();
+    setup.file = file.filename().string();
+    bridge_ = std::make_unique<ui::Bridge>(setup);
+    window_.set_notice({});
+    window_.set_history(&bridge_->history(), setup.shown);
+    QObject::connect(bridge_.get(), &ui::Bridge::looked, [this] { show_live(); });
+    tail_ = std::make_unique<ui::RawTail>(live.sources.size());
+    window_.link_panel().set_tail(tail_.get());
+    live.start({bridge_.get(), tail_.get()});
+    bridge_->start();
+  }
+
+  /// Ends the live run; its failure.
+  Result<void> close_live() {
+    if (!live_) return {};
+    bridge_->stop();
+    auto ended = live_->stop();
+    window_.link_panel().set_tail(nullptr);
+    return ended;
+  }
+
   void run() {
-    if (!player_) window_.set_notice("No session is open: Ctrl+O opens one");
+    if (!player_ && !live_) window_.set_notice("No session is open: Ctrl+O opens one");
     show_first();
     window_.chart().setFocus();
     clock_.start();
@@ -100,6 +142,13 @@ class Console {
     show_first();
     QElapsedTimer waited;
     waited.start();
+    if (live_) {
+      const double wanted_s = request_.after_s.value_or(kMoment_s);
+      while (static_cast<double>(waited.elapsed()) * 1e-3 < wanted_s && !live_->over())
+        QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, kDisplay_ms);
+      window_.show_snapshot(bridge_->snapshot());
+      waited.start();
+    }
     QPixmap picture;
     // What is painted asks for what is missing: the picture is taken again until nothing is.
     do {
@@ -124,6 +173,23 @@ class Console {
     window_.show();
     window_.repaint();
     request_.detail(fmt::format("first picture {:.2f} s after the start of the program", age_s()));
+  }
+
+  void show_live() {
+    const ui::Snapshot& snapshot = bridge_->snapshot();
+    // The chart goes where the first position is, until the operator looks at something of his own.
+    if (view_is_ours_ && (snapshot.vehicle || snapshot.ship)) {
+      window_.chart().set_centre((snapshot.vehicle ? snapshot.vehicle : snapshot.ship)->solution.position);
+      view_is_ours_ = false;
+    }
+    if (figures_.isValid() && figures_.elapsed() < kFigures_ms) return window_.chart().set_snapshot(snapshot);
+    figures_.start();
+    window_.show_snapshot(snapshot);
+    std::vector<ui::LinkState> links;
+    for (const ConsoleLink& link : live_->links())
+      links.push_back({link.address, link.sources, link.open, link.last_error, link.heard_bytes,
+                       link.heard_frames, link.kernel_drops});
+    window_.set_links(ui::link_rows(links, snapshot));
   }
 
   void connect() {
@@ -190,14 +256,17 @@ class Console {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool window_is_for_picture() const { return !request_.screenshot.empty(); }
+
   [[nodiscard]] bool loaded() {
     if (player_ && !player_->history().complete && !player_->failure()) return false;
     return !view_is_ours_ && window_.settled() && window_.isVisible();
   }
 
   void tick() {
+    if (live_ && live_->over()) window_.close();
     if (!player_) {
-      view_is_ours_ = false;
+      if (!live_ || window_is_for_picture()) view_is_ours_ = false;
       return;
     }
     const auto passed = std::chrono::milliseconds(clock_.isValid() ? clock_.restart() : 0);
@@ -230,6 +299,9 @@ class Console {
   std::vector<std::string> charts_;
   ui::Background background_;
   std::unique_ptr<ui::SessionPlayer> player_;
+  const ConsoleLive* live_ = nullptr;
+  std::unique_ptr<ui::Bridge> bridge_;
+  std::unique_ptr<ui::RawTail> tail_;
   ui::ConsoleWindow window_;  // shows the player's history: it goes first
   QTimer timer_;
   QElapsedTimer clock_, figures_;
@@ -267,19 +339,27 @@ extern "C" int leadline_console(const ConsoleRequest& request) {
   ui::Look::current().set(palette_named(palette));
 
   Console console(request);
+  if (request.live != nullptr) console.open_live(*request.live);
   if (!request.session.empty()) {
     if (const auto opened = console.open(request.session); !opened) {
       request.say(opened.error().line());
       return 1;
     }
   }
+  int status = 0;
   if (picture) {
     const auto made = console.picture(request.screenshot);
     if (!made) request.say(made.error().line());
-    return made ? 0 : 1;
+    status = made ? 0 : 1;
+  } else {
+    console.run();
+    status = application->exec();
   }
-  console.run();
-  return application->exec();
+  if (const auto ended = console.close_live(); !ended) {
+    request.say(ended.error().line());
+    status = 1;
+  }
+  return status;
 }
 
 }  // namespace leadline::app

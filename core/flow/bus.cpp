@@ -8,7 +8,8 @@ namespace leadline {
 namespace {
 
 constexpr std::int64_t kTickNs = 100'000'000;
-/// Every time-out is far shorter: a silence longer than this is told by one tick at its end, not by millions.
+/// Every time-out is far shorter: of a silence longer than this only its beginning is told tick by tick, and
+/// its end by one, not by millions.
 constexpr std::int64_t kLongestSilenceNs = 3'600 * std::int64_t{1'000'000'000};
 
 }  // namespace
@@ -67,9 +68,10 @@ void Bus::advance_to(Arrival arrival) {
     ++clock_steps_;
     return;
   }
-  if (arrival.ns - next_tick_.ns > kLongestSilenceNs) next_tick_ = {arrival.ns / kTickNs * kTickNs};
+  const std::int64_t silent_from_ns = next_tick_.ns;
   Envelope tick;
   for (; next_tick_ <= arrival; next_tick_.ns += kTickNs) {
+    if (next_tick_.ns - silent_from_ns > kLongestSilenceNs) next_tick_ = {arrival.ns / kTickNs * kTickNs};
     now_ = next_tick_;
     tick.valid = tick.wall_utc = next_tick_.host();
     tick.arrival = next_tick_;
@@ -79,18 +81,33 @@ void Bus::advance_to(Arrival arrival) {
   now_ = arrival;
 }
 
+void Bus::pass_time(Arrival now) {
+  if (!first_ || now > now_) advance_to(now);
+}
+
+void Bus::tell(const Message& message, SourceId source) {
+  Envelope envelope;
+  envelope.valid = envelope.wall_utc = now_.host();
+  envelope.arrival = now_;
+  envelope.source = source;
+  envelope.message = message;
+  deliver(envelope);
+}
+
 void Bus::take(const Chunk& chunk) {
   const bool known = chunk.source < sources_.size();
   Ledger& ledger = known ? ledgers_[chunk.source] : ledgers_.back();
   ledger.count(chunk);
   if (chunk.settled && *chunk.settled != ByteClass::refused) return;
+  if (chunk.bytes.empty() && !chunk.settled) return pass_time(chunk.arrival);
   advance_to(chunk.arrival);
 
   Envelope envelope;
   envelope.source = known ? chunk.source : kNoSource;
-  envelope.valid = envelope.wall_utc = now_.host();
+  envelope.valid = now_.host();
+  envelope.wall_utc = chunk.wall.value_or(now_.host());
   envelope.arrival = now_;
-  envelope.message = RawFrame{chunk.bytes};
+  envelope.message = RawFrame{chunk.bytes, SenderName(chunk.sender)};
   deliver(envelope);
   if (known) raws_[chunk.source] = envelope.seq;
 
@@ -100,6 +117,7 @@ void Bus::take(const Chunk& chunk) {
     deliver(envelope);
   } else if (known && decoders_[chunk.source]) {
     Output out(*this, chunk.source, ledger);
+    decoders_[chunk.source]->sender(chunk.sender);
     decoders_[chunk.source]->feed(chunk.bytes, now_, out);
   } else {  // nobody else accounts for these bytes
     ledger.count({.byte_class = known ? ByteClass::unused : ByteClass::unknown,

@@ -29,6 +29,11 @@ class Bus final : private EngineOutput {
   /// One chunk. Arrivals must not go back: an earlier one is taken as the latest so far (`clock_steps`
   /// counts).
   void take(const Chunk& chunk);
+  /// Nothing was heard until then: Ticks go on, so that time-outs happen in silence. An earlier time than the
+  /// latest arrival says nothing.
+  void pass_time(Arrival now);
+  /// Something the host has to say besides what was heard: a link that is down, a disk that fills.
+  void tell(const Message& message, SourceId source = kNoSource);
   /// The end of all input: decoders give up what they hold.
   void finish();
 

@@ -15,8 +15,8 @@ boost::system::error_code last_system_error() { return {errno, boost::system::sy
 /// Appends to a file. What is written stands in the file at once, for whoever follows it.
 class FilePort final : public LinkPort {
  public:
-  FilePort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : LinkPort(where, held_to, std::move(sent)), retry_(loop.context(), held_to) {}
+  FilePort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkCalls calls)
+      : LinkPort(where, held_to, std::move(calls)), retry_(loop.context(), held_to) {}
   ~FilePort() override { close_file(); }
 
   void start() override {
@@ -76,8 +76,8 @@ class FilePort final : public LinkPort {
 }  // namespace
 
 std::shared_ptr<LinkPort> make_file_port(IoLoop& loop, const LinkAddress& address, const LinkLimits& limits,
-                                         LinkSender::Sent sent) {
-  return std::make_shared<FilePort>(loop, address, limits, std::move(sent));
+                                         LinkCalls calls) {
+  return std::make_shared<FilePort>(loop, address, limits, std::move(calls));
 }
 
 }  // namespace leadline::links

@@ -3,16 +3,29 @@
 #include <memory>
 #include <mutex>
 
+#include "core/links/link_receiver.h"
 #include "core/links/link_sender.h"
 #include "core/links/send_queue.h"
 #include "core/types/result.h"
 
 namespace leadline::links {
 
+/// Whom a link calls, on the I/O thread.
+struct LinkCalls {
+  LinkSender::Sent sent;
+  LinkReceiver::Heard heard;
+};
+
 /// A link's books; from any thread.
 class LinkAccount {
  public:
-  explicit LinkAccount(LinkSender::Sent sent) : sent_(std::move(sent)) {}
+  explicit LinkAccount(LinkCalls calls) : calls_(std::move(calls)) {}
+
+  /// Whether anybody listens: then what is read is handed to heard().
+  [[nodiscard]] bool listening() const { return calls_.heard != nullptr; }
+  void heard(const Hearing& hearing);
+  void kernel_dropped(std::uint64_t all_so_far);
+  void receive_buffer(std::size_t bytes);
 
   void queued(std::size_t frames);
   /// The system took this many bytes of a batch: the frames wholly among them are sent, the others dropped.
@@ -28,14 +41,14 @@ class LinkAccount {
   void client_came();
   void client_left(bool too_slow);
 
-  /// From here on nobody is told what was sent. On the I/O thread.
-  void stop_telling() { sent_ = nullptr; }
+  /// From here on nobody is called. On the I/O thread.
+  void stop_telling() { calls_ = {}; }
 
   [[nodiscard]] LinkStatus status() const;
   [[nodiscard]] bool idle() const;
 
  private:
-  LinkSender::Sent sent_;
+  LinkCalls calls_;
   mutable std::mutex mutex_;
   LinkStatus status_;
   std::size_t under_way_ = 0;
@@ -45,8 +58,8 @@ class LinkAccount {
 /// hold the port, so it lives until the last one has run.
 class LinkPort : public std::enable_shared_from_this<LinkPort> {
  public:
-  LinkPort(LinkAddress where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : address(std::move(where)), limits(held_to), queue(held_to.queue_bytes), account(std::move(sent)) {}
+  LinkPort(LinkAddress where, const LinkLimits& held_to, LinkCalls calls)
+      : address(std::move(where)), limits(held_to), queue(held_to.queue_bytes), account(std::move(calls)) {}
   virtual ~LinkPort() = default;
   LinkPort(const LinkPort&) = delete;
   LinkPort& operator=(const LinkPort&) = delete;
@@ -66,15 +79,21 @@ class LinkPort : public std::enable_shared_from_this<LinkPort> {
   FrameBatch batch_;
 };
 
+/// The port of a link's kind: one that hears where somebody listens, else one that sends.
+[[nodiscard]] std::shared_ptr<LinkPort> make_port(IoLoop&, const LinkAddress&, const LinkLimits&, LinkCalls);
 [[nodiscard]] std::shared_ptr<LinkPort> make_udp_port(IoLoop&, const LinkAddress&, const LinkLimits&,
-                                                      LinkSender::Sent);
+                                                      LinkCalls);
+[[nodiscard]] std::shared_ptr<LinkPort> make_udp_input_port(IoLoop&, const LinkAddress&, const LinkLimits&,
+                                                            LinkCalls);
 [[nodiscard]] std::shared_ptr<LinkPort> make_tcp_client_port(IoLoop&, const LinkAddress&, const LinkLimits&,
-                                                             LinkSender::Sent);
+                                                             LinkCalls);
 [[nodiscard]] std::shared_ptr<LinkPort> make_tcp_listen_port(IoLoop&, const LinkAddress&, const LinkLimits&,
-                                                             LinkSender::Sent);
+                                                             LinkCalls);
 [[nodiscard]] std::shared_ptr<LinkPort> make_serial_port(IoLoop&, const LinkAddress&, const LinkLimits&,
-                                                         LinkSender::Sent);
+                                                         LinkCalls);
 [[nodiscard]] std::shared_ptr<LinkPort> make_file_port(IoLoop&, const LinkAddress&, const LinkLimits&,
-                                                       LinkSender::Sent);
+                                                       LinkCalls);
+[[nodiscard]] std::shared_ptr<LinkPort> make_file_input_port(IoLoop&, const LinkAddress&, const LinkLimits&,
+                                                             LinkCalls);
 
 }  // namespace leadline::links

@@ -5,29 +5,9 @@
 #include "core/links/link_port.h"
 
 namespace leadline::links {
-namespace {
-
-std::shared_ptr<LinkPort> make_port(IoLoop& loop, const LinkAddress& address, const LinkLimits& limits,
-                                    LinkSender::Sent sent) {
-  switch (address.kind) {
-    case LinkKind::serial:
-      return make_serial_port(loop, address, limits, std::move(sent));
-    case LinkKind::udp:
-      return make_udp_port(loop, address, limits, std::move(sent));
-    case LinkKind::tcp:
-      return make_tcp_client_port(loop, address, limits, std::move(sent));
-    case LinkKind::tcp_listen:
-      return make_tcp_listen_port(loop, address, limits, std::move(sent));
-    case LinkKind::file:
-      break;
-  }
-  return make_file_port(loop, address, limits, std::move(sent));
-}
-
-}  // namespace
 
 LinkSender::LinkSender(IoLoop& loop, const LinkAddress& address, const LinkLimits& limits, Sent sent)
-    : loop_(loop), port_(make_port(loop, address, limits, std::move(sent))) {
+    : loop_(loop), port_(make_port(loop, address, limits, {.sent = std::move(sent)})) {
   loop_.post([port = port_] { port->start(); });
 }
 

@@ -21,10 +21,13 @@ struct LinkStatus {
   std::uint64_t sent_bytes = 0;      ///< of those
   std::uint64_t dropped_frames = 0;  ///< never sent: link down, queue full, no client
   std::uint64_t times_opened = 0;
-  std::size_t clients = 0;            ///< tcp-listen: connected now
-  std::uint64_t dropped_clients = 0;  ///< tcp-listen: were too slow
-  std::uint16_t port = 0;             ///< tcp-listen: which one the system gave
-  std::string last_error;             ///< one sentence; kept when the link is open again
+  std::size_t clients = 0;                          ///< tcp-listen: connected now
+  std::uint64_t dropped_clients = 0;                ///< tcp-listen: were too slow
+  std::uint16_t port = 0;                           ///< tcp-listen: which one the system gave
+  std::uint64_t heard_bytes = 0, heard_frames = 0;  ///< datagrams, or reads of a stream
+  std::uint64_t kernel_drops = 0;                   ///< udp: the kernel had no room for
+  std::size_t receive_buffer = 0;                   ///< udp: as the kernel grants it, bytes
+  std::string last_error;                           ///< one sentence; kept when the link is open again
 };
 
 /// The figures a link keeps to; the defaults are for use, others for tests.

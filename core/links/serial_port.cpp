@@ -14,8 +14,8 @@ LinkLimits of_a_device(LinkLimits limits) {
 
 class SerialPort final : public StreamPort<boost::asio::serial_port> {
  public:
-  SerialPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : StreamPort(loop, where, of_a_device(held_to), std::move(sent)) {}
+  SerialPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkCalls calls)
+      : StreamPort(loop, where, of_a_device(held_to), std::move(calls)) {}
 
  private:
   void open() override {
@@ -27,8 +27,8 @@ class SerialPort final : public StreamPort<boost::asio::serial_port> {
 }  // namespace
 
 std::shared_ptr<LinkPort> make_serial_port(IoLoop& loop, const LinkAddress& address, const LinkLimits& limits,
-                                           LinkSender::Sent sent) {
-  return std::make_shared<SerialPort>(loop, address, limits, std::move(sent));
+                                           LinkCalls calls) {
+  return std::make_shared<SerialPort>(loop, address, limits, std::move(calls));
 }
 
 }  // namespace leadline::links

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <utility>
@@ -15,8 +17,8 @@ namespace leadline::links {
 template <class Stream>
 class StreamPort : public LinkPort {
  public:
-  StreamPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : LinkPort(where, held_to, std::move(sent)),
+  StreamPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkCalls calls)
+      : LinkPort(where, held_to, std::move(calls)),
         stream_(loop.context()),
         retry_(loop.context(), held_to),
         pump_(stream_, queue, account, [this](const auto& error) { fail(error); }) {}
@@ -29,6 +31,7 @@ class StreamPort : public LinkPort {
     pump_.wake(shared_from_this());
   }
   void close() override {
+    if (open_ && account.listening()) read_the_rest();
     closed_ = true, open_ = false;
     retry_.cancel();
     boost::system::error_code ignored;
@@ -65,19 +68,30 @@ class StreamPort : public LinkPort {
   RetryTimer retry_;
 
  private:
-  /// A stream that ends says so to a reader only; what the other side says is of no interest here.
+  /// What the kernel still holds when the link is closed.
+  void read_the_rest() {
+    constexpr int kMostReads = 256;
+    for (int i = 0; i < kMostReads; ++i) {  // Asio has made the handle one that does not wait
+      const auto n = ::read(stream_.native_handle(), read_.data(), read_.size());
+      if (n <= 0) return;
+      account.heard({.bytes = std::span(read_).first(static_cast<std::size_t>(n))});
+    }
+  }
+
+  /// A stream that ends says so to a reader only, so it is read even where nobody listens.
   void watch() {
     stream_.async_read_some(
-        boost::asio::buffer(unread_),
-        [self = shared_from_this(), this](const boost::system::error_code& error, std::size_t) {
+        boost::asio::buffer(read_),
+        [self = shared_from_this(), this](const boost::system::error_code& error, std::size_t bytes) {
           if (error == boost::asio::error::operation_aborted || !open_) return;
+          if (bytes > 0 && account.listening()) account.heard({.bytes = std::span(read_).first(bytes)});
           if (error) return fail(error);
           watch();
         });
   }
 
   StreamPump<Stream> pump_;
-  std::array<char, 4096> unread_{};
+  std::array<std::uint8_t, 16384> read_{};
   bool open_ = false, closed_ = false;
 };
 

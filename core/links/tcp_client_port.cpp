@@ -14,8 +14,8 @@ using boost::system::error_code;
 
 class TcpClientPort final : public StreamPort<tcp::socket> {
  public:
-  TcpClientPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : StreamPort(loop, where, held_to, std::move(sent)), resolver_(loop.context()) {}
+  TcpClientPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkCalls calls)
+      : StreamPort(loop, where, held_to, std::move(calls)), resolver_(loop.context()) {}
 
   void close() override {
     resolver_.cancel();
@@ -59,8 +59,8 @@ class TcpClientPort final : public StreamPort<tcp::socket> {
 }  // namespace
 
 std::shared_ptr<LinkPort> make_tcp_client_port(IoLoop& loop, const LinkAddress& address,
-                                               const LinkLimits& limits, LinkSender::Sent sent) {
-  return std::make_shared<TcpClientPort>(loop, address, limits, std::move(sent));
+                                               const LinkLimits& limits, LinkCalls calls) {
+  return std::make_shared<TcpClientPort>(loop, address, limits, std::move(calls));
 }
 
 }  // namespace leadline::links

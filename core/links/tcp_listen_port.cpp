@@ -28,13 +28,14 @@ struct Client {
   tcp::socket socket;
   SendQueue queue;
   StreamPump<tcp::socket> pump;
-  std::array<char, 4096> unread{};
+  std::array<std::uint8_t, 16384> read{};
+  std::string name;  ///< address:port
 };
 
 class TcpListenPort final : public LinkPort {
  public:
-  TcpListenPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : LinkPort(where, held_to, std::move(sent)),
+  TcpListenPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkCalls calls)
+      : LinkPort(where, held_to, std::move(calls)),
         acceptor_(loop.context()),
         retry_(loop.context(), held_to) {}
 
@@ -113,20 +114,25 @@ class TcpListenPort final : public LinkPort {
           }
         });
     *place = client;
+    error_code gone_already;
+    const auto peer = client->socket.remote_endpoint(gone_already);
+    if (!gone_already) client->name = peer.address().to_string() + ":" + std::to_string(peer.port());
     clients_.push_back(client);
     account.client_came();
     watch(client);
   }
 
-  /// A client that leaves says so to a reader only.
+  /// A client that leaves says so to a reader only, so it is read even where nobody listens.
   void watch(const Held& client) {
-    client->socket.async_read_some(asio::buffer(client->unread),
-                                   [self = shared(), this, client](const error_code& error, std::size_t) {
-                                     if (error == asio::error::operation_aborted || !client->socket.is_open())
-                                       return;
-                                     if (error) return leave(client, error == asio::error::timed_out);
-                                     watch(client);
-                                   });
+    client->socket.async_read_some(
+        asio::buffer(client->read),
+        [self = shared(), this, client](const error_code& error, std::size_t bytes) {
+          if (error == asio::error::operation_aborted || !client->socket.is_open()) return;
+          if (bytes > 0 && account.listening())
+            account.heard({.bytes = std::span(client->read).first(bytes), .sender = client->name});
+          if (error) return leave(client, error == asio::error::timed_out);
+          watch(client);
+        });
   }
 
   void hand_to(const Held& client) {
@@ -176,8 +182,8 @@ class TcpListenPort final : public LinkPort {
 }  // namespace
 
 std::shared_ptr<LinkPort> make_tcp_listen_port(IoLoop& loop, const LinkAddress& address,
-                                               const LinkLimits& limits, LinkSender::Sent sent) {
-  return std::make_shared<TcpListenPort>(loop, address, limits, std::move(sent));
+                                               const LinkLimits& limits, LinkCalls calls) {
+  return std::make_shared<TcpListenPort>(loop, address, limits, std::move(calls));
 }
 
 }  // namespace leadline::links

@@ -22,8 +22,8 @@ error_code last_system_error() { return {errno, boost::system::system_category()
 
 class UdpPort final : public LinkPort {
  public:
-  UdpPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkSender::Sent sent)
-      : LinkPort(where, held_to, std::move(sent)),
+  UdpPort(IoLoop& loop, const LinkAddress& where, const LinkLimits& held_to, LinkCalls calls)
+      : LinkPort(where, held_to, std::move(calls)),
         socket_(loop.context()),
         resolver_(loop.context()),
         retry_(loop.context(), held_to) {}
@@ -147,8 +147,8 @@ class UdpPort final : public LinkPort {
 }  // namespace
 
 std::shared_ptr<LinkPort> make_udp_port(IoLoop& loop, const LinkAddress& address, const LinkLimits& limits,
-                                        LinkSender::Sent sent) {
-  return std::make_shared<UdpPort>(loop, address, limits, std::move(sent));
+                                        LinkCalls calls) {
+  return std::make_shared<UdpPort>(loop, address, limits, std::move(calls));
 }
 
 }  // namespace leadline::links

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <deque>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "core/messages/message.h"
@@ -36,8 +35,7 @@ class MessageQueue {
   [[nodiscard]] static const Envelope* next(Block& block, Envelope& space);
 
  private:
-  static constexpr std::size_t kBlock = std::size_t{256} << 10;
-  static_assert(std::is_trivially_copyable_v<Envelope>);
+  static constexpr std::size_t kBlock = std::size_t{256} << 10, kMostSpare = 16;
   [[nodiscard]] Block* room_for(std::size_t size);
 
   std::size_t most_bytes_, bytes_ = 0;

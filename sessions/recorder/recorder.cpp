@@ -1,5 +1,6 @@
 #include "sessions/recorder/recorder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace leadline::sessions {
@@ -37,10 +38,10 @@ Recorder::Recorder(Session session, RunId run, const Options& options)
 Recorder::~Recorder() { (void)finish(); }
 
 void Recorder::take(const Envelope& envelope) {
-  if (std::holds_alternative<Tick>(envelope.message)) return;
   const bool frame = std::holds_alternative<RawFrame>(envelope.message);
   std::unique_lock lock(mutex_);
   latest_ = envelope.arrival;
+  if (std::holds_alternative<Tick>(envelope.message)) return;
   // Facts can be decoded again from their frames: the last quarter of the memory is the frames'.
   const bool squeezed = !options_.lossless && !frame && queue_.bytes() > queue_.most_bytes() / 4 * 3;
   bool kept = !gave_up_ && !squeezed && queue_.push(envelope);
@@ -51,6 +52,7 @@ void Recorder::take(const Envelope& envelope) {
   }
   if (!kept) ++(frame ? frames_left_out_ : facts_left_out_);
   if (std::holds_alternative<Alarm>(envelope.message)) urgent_ = true;
+  most_waiting_ = std::max(most_waiting_, queue_.bytes());
   const bool pressing = urgent_ || queue_.bytes() > queue_.most_bytes() / 8;
   lock.unlock();
   if (pressing) work_.notify_one();
@@ -66,7 +68,8 @@ void Recorder::event(Severity severity, std::string kind, std::string text) {
 
 Recorder::Status Recorder::status() const {
   const std::lock_guard lock(mutex_);
-  return {acknowledged_.load(), durable_.load(), queue_.bytes(), facts_left_out_, frames_left_out_, failure_};
+  return {acknowledged_.load(), durable_.load(),  queue_.bytes(), most_waiting_,
+          facts_left_out_,      frames_left_out_, failure_};
 }
 
 bool Recorder::due_full() const { return Steady::now() - last_full_ >= kFullEvery; }
@@ -190,7 +193,7 @@ Result<void> Recorder::finish() {
   if (gave_up_ || frames_left_out_ > 0)
     return Error{std::to_string(frames_left_out_) + " frames were not kept: the disk refused for too long",
                  session_.path(), "free some space, then do it again"};
-  auto ended = session_.end_run(wall_now(), first_, last_);
+  auto ended = session_.end_run(wall_now(), first_, latest_ ? latest_ : last_);
   if (ended) ended = session_.fold();
   return ended;
 }

@@ -31,12 +31,13 @@ class Recorder final : public Sink {
     std::chrono::milliseconds patience{10'000};
   };
   struct Status {
-    std::uint64_t acknowledged = 0;     ///< frames that the program's death cannot take
-    std::uint64_t durable = 0;          ///< frames that power loss cannot take
-    std::size_t waiting_bytes = 0;      ///< of memory, not yet written
-    std::uint64_t facts_left_out = 0;   ///< not kept for lack of memory; their frames are
-    std::uint64_t frames_left_out = 0;  ///< lost for lack of memory
-    std::optional<Error> failure;       ///< the disk refuses now: what the alarm says
+    std::uint64_t acknowledged = 0;      ///< frames that the program's death cannot take
+    std::uint64_t durable = 0;           ///< frames that power loss cannot take
+    std::size_t waiting_bytes = 0;       ///< of memory, not yet written
+    std::size_t most_waiting_bytes = 0;  ///< ever
+    std::uint64_t facts_left_out = 0;    ///< not kept for lack of memory; their frames are
+    std::uint64_t frames_left_out = 0;   ///< lost for lack of memory
+    std::optional<Error> failure;        ///< the disk refuses now: what the alarm says
   };
 
   /// Begins a run. Error: the session does not take it.
@@ -45,8 +46,8 @@ class Recorder final : public Sink {
   /// Finishes, if nobody has.
   ~Recorder() override;
 
-  /// Copies the message; no allocation, no disk. Ticks are derived and not kept. An Alarm is committed and
-  /// synced at once.
+  /// Copies the message; no allocation, no disk. Ticks are derived and not kept, but for how far the run has
+  /// come. An Alarm is committed and synced at once.
   void take(const Envelope& envelope) override;
   /// Something that happened besides the messages; any thread. It is on the disk within the next commit,
   /// which begins at once.
@@ -83,6 +84,7 @@ class Recorder final : public Sink {
   bool gave_up_ = false;                                    // guarded
   bool urgent_ = false;                                     // guarded: an alarm waits, to be synced at once
   std::uint64_t facts_left_out_ = 0, frames_left_out_ = 0;  // guarded
+  std::size_t most_waiting_ = 0;                            // guarded
   std::optional<Error> failure_;                            // guarded
   std::optional<Arrival> latest_;                           // guarded
   std::atomic<std::uint64_t> acknowledged_{0}, durable_{0};

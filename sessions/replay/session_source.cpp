@@ -1,6 +1,7 @@
 #include "sessions/replay/session_source.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace leadline::sessions {
 
@@ -15,6 +16,7 @@ Result<SessionSource> SessionSource::open(Session session, std::vector<NamedSour
     if (!found.stores_frames || (run && found.id != *run) || (kind && found.kind != *kind)) continue;
     kind = found.kind;
     source.runs_.push_back(found.id);
+    source.ends_.push_back(found.last);
   }
   if (source.runs_.empty())
     return Error{run ? "has no run " + std::to_string(*run) + " with frames" : "holds no recorded frames",
@@ -45,6 +47,10 @@ bool SessionSource::next(Chunk& chunk) {
       failure_ = more.error();
     } else if (more.value()) {
       break;
+    } else if (ends_[run_]) {  // it went on in silence until then
+      chunk = Chunk{};
+      chunk.arrival = *std::exchange(ends_[run_], std::nullopt);
+      return true;
     } else if (++run_ == runs_.size()) {
       --run_;
       return false;
@@ -55,7 +61,10 @@ bool SessionSource::next(Chunk& chunk) {
   chunk = Chunk{};
   chunk.source = frame.source < ids_.size() ? ids_[frame.source] : kNoSource;
   chunk.arrival = frame.arrival;
+  if (frame.wall != frame.arrival.host()) chunk.wall = frame.wall;
   chunk.bytes = frame.bytes;
+  sender_ = frame.sender;
+  chunk.sender = sender_.view();
   if (!frame.settled.empty()) {
     chunk.settled = ByteClass::refused;
     chunk.reason = frame.settled;

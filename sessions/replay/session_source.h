@@ -37,9 +37,11 @@ class SessionSource final : public Source {
   std::unique_ptr<Session> session_;  // the reader keeps its address
   std::vector<NamedSource> names_;
   std::vector<RunId> runs_;
+  std::vector<std::optional<Arrival>> ends_;  // of these, until they were told
   std::size_t run_ = 0;
   std::optional<FrameReader> frames_;
   std::vector<SourceId> ids_;  // of this run's sources, by place
+  SenderName sender_;          // of the latest chunk
   std::optional<Error> failure_;
 };
 

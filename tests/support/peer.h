@@ -33,6 +33,8 @@ class Peer {
   void close() {
     if (file_ >= 0) ::close(std::exchange(file_, -1));
   }
+  /// Forgets the handle without closing it.
+  void let_go() { file_ = -1; }
   [[nodiscard]] int file() const { return file_; }
 
   /// What one read gives; empty at the end or when nothing came for 20 s.

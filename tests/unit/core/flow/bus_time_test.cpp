@@ -63,12 +63,32 @@ TEST_F(BusTime, AQuietHourStillTicks) {
   EXPECT_EQ(tick_ms().size(), 36'000u);
 }
 
-TEST_F(BusTime, ALongSilenceIsOneTickAtItsEnd) {
+TEST_F(BusTime, OfALongSilenceTheFirstHourTicksAndItsEnd) {
   bus.take(chunk(0, ms(50), "1"));
   bus.take(chunk(0, ms(50 + 86'400'000), "2"));
-  EXPECT_EQ(tick_ms(), (std::vector<std::int64_t>{86'400'000}));
+  const auto ticks = tick_ms();
+  ASSERT_EQ(ticks.size(), 36'002u);
+  EXPECT_EQ(ticks[36'000], 3'600'100);
+  EXPECT_EQ(ticks.back(), 86'400'000);
   bus.take(chunk(0, ms(50 + 86'400'100), "3"));
   EXPECT_EQ(tick_ms().back(), 86'400'100);
+}
+
+TEST_F(BusTime, SilenceTicksTheSameWhetherItIsToldOnTheWayOrAtItsEnd) {
+  bus.take(chunk(0, ms(50), "1"));
+  for (int i = 1; i < 50; ++i) bus.pass_time(ms(50 + 37 * i));
+  bus.pass_time(ms(10));  // says nothing
+  bus.take(chunk(0, ms(3000), "2"));
+  std::vector<std::int64_t> expected;
+  for (int t = 100; t <= 3000; t += 100) expected.push_back(t);
+  EXPECT_EQ(tick_ms(), expected);
+  EXPECT_EQ(bus.clock_steps(), 0u);
+}
+
+TEST_F(BusTime, AChunkWithoutBytesIsTimeThatPassed) {
+  bus.take(chunk(0, ms(50), "1"));
+  bus.take(chunk(0, ms(450), ""));
+  EXPECT_EQ(tick_ms().size(), 4u);
 }
 
 TEST_F(BusTime, AnArrivalThatGoesBackIsTakenAsTheLatest) {

@@ -17,12 +17,31 @@ std::string bytes(std::initializer_list<int> values) {
   return text;
 }
 
+TEST(Sniff, TellsTextInstrumentsByTheirLines) {
+  const std::string serial =
+      "wrx,112.83,0.007,0.017,0.006,0.000,0.93,y,0*d2\r\nwru,0,0.070,1.10,-40,-95*9c\r\n";
+  EXPECT_EQ(kind_of(serial), FileKind::waterlinked_serial);
+  EXPECT_NE(kind_of("wrx,112.83,0.007,0.017,0.006,0.000,0.93,y,0*d3\r\n"), FileKind::waterlinked_serial)
+      << "its CRC fails";
+  EXPECT_EQ(kind_of(R"({"vx":0.1,"format":"json_v3.1","type":"velocity"})"
+                    "\n"),
+            FileKind::waterlinked_json);
+  EXPECT_EQ(kind_of(R"({"vx":0.1})"
+                    "\n"),
+            FileKind::text);
+  EXPECT_EQ(kind_of("$#NQ.RES 0X0000 1 1 1 1 4.3 4.5 4.3 4.2\r\n"), FileKind::navquest);
+  EXPECT_EQ(kind_of("*0001174.63512\r\n*0001UN=1\r\n*0001174.63514\r\n"), FileKind::paroscientific);
+  EXPECT_NE(kind_of("*1\r\n*2\r\n"), FileKind::paroscientific);
+}
+
 TEST(Sniff, TellsEveryBundledFileByItsContent) {
   struct Case {
     const char* file;
     FileKind kind;
   };
   const Case cases[] = {
+      {"wire-samples/udpbc_single.bin", FileKind::iec61162_450},
+      {"wire-samples/udpbc_group.bin", FileKind::iec61162_450},
       {"dvl_pd0_adcp/RDI_7f79.000", FileKind::trdi_pd0},
       {"dvl_pd0_adcp/RDI_test01.000", FileKind::trdi_pd0},
       {"dvl_pd0_adcp/RDI_withBT.000", FileKind::trdi_pd0},
@@ -57,6 +76,10 @@ TEST(Sniff, TellsEveryBundledFileByItsContent) {
       {"geomag_wmm/WMM2020testvalues.txt", FileKind::table},
       {"geomag_wmm/WMM2025_TEST_VALUES.txt", FileKind::table},
       {"reference-navigation/fusion_1h.csv", FileKind::table},
+      {"wire-samples/nortek_df21.bin", FileKind::nortek_dvl},
+      {"wire-samples/xsens_mtdata2.bin", FileKind::xsens_mtdata2},
+      {"wire-samples/pni_data.bin", FileKind::pni_tcm},
+      {"ardusub_mavlink/small.tlog", FileKind::mavlink},
       {"reference-navigation/fusion_1h.txt", FileKind::text},
       {"usbl_psimssb_lines/lines.tsv", FileKind::text},
       {"dvl_pd0_remus600/adcp_auv_51.yml", FileKind::text},
@@ -85,6 +108,22 @@ TEST(Sniff, TellsTextInputsApart) {
   EXPECT_EQ(kind_of("2017-08-01 00:00:00.5 1.0 2.0\n2017-08-01 00:00:00.6 1.0 2.0\n"), FileKind::table)
       << "date and time columns are no arrival stamp";
   EXPECT_EQ(kind_of("Dear diary,\ntoday we dived.\n"), FileKind::text);
+}
+
+TEST(Sniff, TellsInstrumentsApartByWhatTheirTelegramsProve) {
+  const std::string usbl = "user data+++AT:9:RECVIM,1,\r\nmore";
+  EXPECT_EQ(kind_of(usbl.substr(9)), FileKind::evologics_usbl);
+  EXPECT_EQ(kind_of(usbl + usbl), FileKind::evologics_usbl);
+  EXPECT_EQ(kind_of(usbl), FileKind::text) << "one alone may be a quotation";
+  EXPECT_EQ(kind_of("+++AT:8:RECVIM,1,\r\nmore"), FileKind::text);
+  EXPECT_EQ(kind_of("$PNORBT7,1.0*00\r\n$PNORWT7,1.0*00\r\n"), FileKind::nortek_dvl);
+  EXPECT_EQ(kind_of("$PNORBT7,1.0*00\r\n$HEHDT,1.7,T*00\r\n"), FileKind::nmea);
+  const std::string pni = bytes({0, 5, 4, 0xBF, 0x71});
+  EXPECT_EQ(kind_of(pni + pni + "x"), FileKind::pni_tcm);
+  EXPECT_NE(kind_of(pni + "xxxxx"), FileKind::pni_tcm);
+  const std::string xsens = bytes({0xFA, 0xFF, 0x36, 0, 0xCB});
+  EXPECT_EQ(kind_of("?" + xsens), FileKind::xsens_mtdata2);
+  EXPECT_NE(kind_of(bytes({0xFA, 0xFF, 0x36, 0, 0xCC})), FileKind::xsens_mtdata2);
 }
 
 TEST(Sniff, TellsBinaryInputsApart) {

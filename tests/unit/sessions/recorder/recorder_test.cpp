@@ -308,7 +308,7 @@ TEST(Recorder, WithoutMemoryFactsGoFirstThenFramesAndTheLossIsCounted) {
   };
   {
     const FullDisk full(4096);
-    for (int i = 0; i < 2300; ++i) pair();
+    for (int i = 0; i < 3900; ++i) pair();
     EXPECT_GT(recorder->status().facts_left_out, 0U);
     // What the writer holds at this moment cannot be taken back, so a few frames may go, but never before
     // facts.
@@ -318,7 +318,7 @@ TEST(Recorder, WithoutMemoryFactsGoFirstThenFramesAndTheLossIsCounted) {
     EXPECT_LE(recorder->status().waiting_bytes, options.memory_bytes);
   }
   const std::uint64_t lost = recorder->status().frames_left_out;
-  ASSERT_TRUE(soon([&] { return recorder->acknowledged() + lost == 7300; }));
+  ASSERT_TRUE(soon([&] { return recorder->acknowledged() + lost == 8900; }));
   const auto finished = recorder->finish();
   EXPECT_FALSE(finished);
   EXPECT_THAT(finished.error().line(), testing::HasSubstr(std::to_string(lost) + " frames were not kept"));

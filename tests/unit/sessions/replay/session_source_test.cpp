@@ -111,6 +111,56 @@ TEST(SessionSource, AReplayOfTheSessionIsTheReplayOfTheLog) {
   }
 }
 
+/// Two hosts that both call themselves HE0001, in turns.
+class TwoSenders final : public Source {
+ public:
+  bool next(Chunk& chunk) override {
+    if (++said_ > 6) return false;
+    const bool second = said_ % 2 == 0;
+    chunk = Chunk{};
+    chunk.source = 1;
+    chunk.arrival = {test::kStartNs + said_ * std::int64_t{500'000'000}};
+    chunk.bytes = {reinterpret_cast<const std::uint8_t*>(kBytes.data()), kBytes.size()};
+    chunk.sender = second ? "10.0.0.9:60004" : "[fe80::1]:60004";
+    return true;
+  }
+
+ private:
+  static constexpr std::string_view kBytes{"UdPbC\0\\s:HE0001*45\\$HEROT,+000.05,A*35\r\n", 40};
+  int said_ = 0;
+};
+
+TEST(SessionSource, SendersAreKeptSoThatAReplayRaisesTheirAlarm) {
+  MadeFolder folder;
+  const std::string path = folder.file("s.leadline");
+  const auto run_with = [](Source& source, Told& told, Recorder* recorder) {
+    Bus bus(infos());
+    if (recorder != nullptr) bus.attach(*recorder);
+    bus.attach(told);
+    bus.attach(1, decode::make_decoder("iec61162-450", {}).value());
+    for (Chunk chunk; source.next(chunk);) bus.take(chunk);
+  };
+  Told first, second;
+  {
+    auto recorder =
+        Recorder::start(Session::create(path, {}).value(), test::two_source_run(), test::lossless()).value();
+    TwoSenders source;
+    run_with(source, first, recorder.get());
+    ASSERT_TRUE(recorder->finish());
+  }
+  auto source = SessionSource::open(Session::open(path, Access::read).value(), {{"gps", 1}, {"dvl", 0}});
+  ASSERT_TRUE(source) << source.error().line();
+  run_with(source.value(), second, nullptr);
+  ASSERT_EQ(first.all.size(), second.all.size());
+  int alarms = 0;
+  for (std::size_t i = 0; i < first.all.size(); ++i) {
+    EXPECT_TRUE(first.all[i].message == second.all[i].message) << i;
+    alarms += std::holds_alternative<Alarm>(second.all[i].message);
+  }
+  EXPECT_EQ(alarms, 1);
+  EXPECT_EQ(std::get<RawFrame>(second.all[0].message).sender.view(), "[fe80::1]:60004");
+}
+
 TEST(SessionSource, NamesChooseTheSourceAndUnknownOnesAreSettled) {
   MadeFolder folder;
   test::MessageMaker maker;
@@ -128,6 +178,9 @@ TEST(SessionSource, NamesChooseTheSourceAndUnknownOnesAreSettled) {
                          dvl ? std::nullopt : std::optional(ByteClass::unknown), ""};
     ASSERT_TRUE(heard(chunk) == expected);
   }
+  ASSERT_TRUE(source.next(chunk));
+  EXPECT_TRUE(chunk.bytes.empty()) << "how long the run went on";
+  EXPECT_EQ(chunk.arrival, messages.back().envelope.arrival);
   EXPECT_FALSE(source.next(chunk));
   EXPECT_FALSE(source.next(chunk));
   EXPECT_FALSE(source.failure());
@@ -153,7 +206,8 @@ TEST(SessionSource, ARecordingThatWasContinuedIsOneTimeline) {
       SessionSource::open(Session::open(path, Access::read).value(), {{"dvl", 0}, {"gps", 1}}).value();
   EXPECT_EQ(source.runs(), (std::vector<RunId>{1, 2}));
   std::vector<SourceId> places;
-  for (Chunk chunk; source.next(chunk);) places.push_back(chunk.source);
+  for (Chunk chunk; source.next(chunk);)
+    if (!chunk.bytes.empty()) places.push_back(chunk.source);
   ASSERT_EQ(places.size() % 2, 0U);
   for (std::size_t i = 0; i < places.size() / 2; ++i)
     EXPECT_NE(places[i], places[i + places.size() / 2]) << i;

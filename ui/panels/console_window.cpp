@@ -18,8 +18,10 @@
 
 #include "core/geo/geodesy.h"
 #include "ui/look/look.h"
+#include "ui/models/link_rows.h"
 #include "ui/models/own_data.h"
 #include "ui/panels/alert_bar.h"
+#include "ui/panels/link_panel.h"
 #include "ui/panels/own_data_panel.h"
 #include "ui/panels/rail.h"
 #include "ui/panels/replay_bar.h"
@@ -40,6 +42,9 @@ Fold fold_for(QSize size) {
   if (size.width() < 1000 || size.height() < 700) return Fold::small;
   return size.width() < 1600 || size.height() < 900 ? Fold::compact : Fold::wide;
 }
+
+/// The raw monitor takes two fifths of the window at most and leaves as much to the chart.
+int links_height(int window, int room) { return std::min(room - (window * 2 + 4) / 5, window * 2 / 5); }
 
 /// Px of what has one in each fold.
 int rail_width(Fold fold) { return fold == Fold::wide ? 52 : 44; }
@@ -72,6 +77,8 @@ ConsoleWindow::ConsoleWindow(QWidget* parent) : QWidget(parent) {
   rail_ = new Rail(this);
   chart_ = new ChartCanvas(this);
   replay_bar_ = new ReplayBar(this);
+  links_ = new LinkPanel(this);
+  links_->hide();
   vehicle_ = new OwnDataPanel(OwnDataPanel::Kind::vehicle, {}, this);
   ship_ = new OwnDataPanel(OwnDataPanel::Kind::ship, {}, this);
   ranges_ = new RangePanel(this);
@@ -94,6 +101,7 @@ void ConsoleWindow::connect_rail() {
   connect(rail_, &Rail::followToggled, this, &ConsoleWindow::follow_next);
   connect(rail_, &Rail::orientationChosen, chart_, &ChartCanvas::set_orientation);
   connect(rail_, &Rail::layersRequested, this, &ConsoleWindow::show_layers_menu);
+  connect(rail_, &Rail::linksToggled, this, [this] { show_link_panel(!links_shown()); });
   connect(rail_, &Rail::zoomed, this,
           [this](int direction) { chart_->zoom_by(direction > 0 ? kKeyZoom : 1.0 / kKeyZoom); });
   connect(rail_, &Rail::paletteStepped, this, &ConsoleWindow::paletteStepped);
@@ -154,14 +162,17 @@ void ConsoleWindow::make_actions() {
   action("next_event", "Next event", {QKeySequence("Ctrl+Right")}, [this] { replay_bar_->seek_event(1); });
   action("alerts", "All alerts", {QKeySequence("Ctrl+L")}, [this] { show_alerts(); });
   action("layers", "Layers", {QKeySequence("F4")}, [this] { show_layers_menu(); });
+  action("links", "Links and what they say", {QKeySequence("F7")},
+         [this] { show_link_panel(!links_shown()); });
   action("regions", "Next region", {QKeySequence("F6")}, [this] {
     // In a small window the side column is a drawer that pushes the chart.
     if (fold_ == Fold::small) {
       drawer_ = !drawer_;
+      if (drawer_) links_unfolded_ = false;
       place();
       return;
     }
-    const std::vector<QWidget*> regions{chart_, replay_bar_, rail_, alert_bar_};
+    const std::vector<QWidget*> regions{chart_, replay_bar_, links_, rail_, alert_bar_};
     const auto here = std::find_if(regions.begin(), regions.end(), [](QWidget* w) {
       return w->hasFocus() || w->isAncestorOf(QApplication::focusWidget());
     });
@@ -237,6 +248,27 @@ void ConsoleWindow::show_snapshot(const Snapshot& snapshot) {
 void ConsoleWindow::set_notice(const QString& sentence) {
   notice_ = sentence;
   show_alert_bar();
+}
+
+void ConsoleWindow::set_links(const std::vector<LinkRow>& rows) {
+  const bool any = !rows.empty(), had_any = !links_open_.empty();
+  std::string open = any ? links_open(rows) : "";
+  open = open.substr(0, open.rfind(' '));  // the status bar says what of
+  links_->set(rows);
+  if (open == links_open_) return;
+  links_open_ = open;
+  show_status();
+  if (any != had_any) place();
+}
+
+bool ConsoleWindow::links_shown() const {
+  return links_unfolded_ && !links_open_.empty() && !snapshot_.replay;
+}
+
+void ConsoleWindow::show_link_panel(bool shown) {
+  links_unfolded_ = shown;
+  if (links_shown()) drawer_ = false;  // in a small window there is room for one of them
+  place();
 }
 
 void ConsoleWindow::show_alert_bar() {
@@ -328,6 +360,9 @@ void ConsoleWindow::place() {
   if (side) rest.setRight(rest.right() - side_width(fold_));
   replay_bar_->setVisible(replay);
   if (replay) take_bottom(replay_bar_, replay_bar_->sizeHint().height());
+  rail_->set_links(!links_open_.empty() && !replay, links_shown());
+  links_->setVisible(links_shown());
+  if (links_shown()) take_bottom(links_, links_height(height(), rest.height()));
   chart_->setGeometry(rest);
 }
 
@@ -360,7 +395,7 @@ void ConsoleWindow::show_status() {
   text.datum = "WGS 84" + (zone.find("°") == std::string::npos ? " · UTM " + zone : std::string());
   if (chart_->tool() == Tool::measure) text.tool = "Measure", text.tool_key = "M";
   text.screen = "20 Hz  newest wins";
-  text.links = snapshot_.replay ? "closed in replay" : "none";
+  text.links = snapshot_.replay ? "closed in replay" : links_open_.empty() ? "none" : links_open_;
   status_bar_->set(text);
 }
 

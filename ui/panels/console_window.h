@@ -17,6 +17,8 @@ class QAction;
 namespace leadline::ui {
 
 class AlertBar;
+class LinkPanel;
+struct LinkRow;
 class Rail;
 class RangePanel;
 class ReplayBar;
@@ -42,6 +44,11 @@ class ConsoleWindow final : public QWidget {
   /// A sentence for the operator in the alert bar's place, while nothing is open or what is open cannot be
   /// read.
   void set_notice(const QString& sentence);
+  /// The raw monitor is there when there are links: none, and in replay, it is absent.
+  void set_links(const std::vector<LinkRow>& rows);
+  [[nodiscard]] LinkPanel& link_panel() { return *links_; }
+  /// Unfolds it or folds it away, as F7 and the rail do. Folded at first.
+  void show_link_panel(bool shown);
   /// Nothing is being loaded and nothing blinks: ready for a picture.
   [[nodiscard]] bool settled() const;
   /// Blinking stands still, for pictures.
@@ -71,6 +78,7 @@ class ConsoleWindow final : public QWidget {
   void follow_next();
   void show_layers_menu();
   void show_alerts();
+  [[nodiscard]] bool links_shown() const;
   [[nodiscard]] std::vector<QWidget*> side_panels() const;
   [[nodiscard]] AlertBarText notice_text() const;
 
@@ -83,10 +91,13 @@ class ConsoleWindow final : public QWidget {
   RangePanel* ranges_;
   SourcesPanel* sources_;
   ReplayBar* replay_bar_;
+  LinkPanel* links_;
   StatusBar* status_bar_;
 
   Fold fold_ = Fold::wide;
   bool drawer_ = false;  ///< of a small window: rail and side column are out
+  bool links_unfolded_ = false;
+  std::string links_open_;  ///< "5 of 6"; empty: there are no links
   OwnDataRows ship_rows_{true, false, false};
   QString notice_;
   PositionFormat position_format_ = PositionFormat::dm;

@@ -22,6 +22,8 @@ class Rail final : public QWidget {
   void set_following(bool following);
   void set_orientation(Orientation orientation);
   void set_fold(Fold fold);  ///< 52 or 44 px wide
+  /// Whether there are links to look at, and whether they are in sight.
+  void set_links(bool any, bool shown);
   [[nodiscard]] QSize sizeHint() const override;
 
  signals:
@@ -29,6 +31,7 @@ class Rail final : public QWidget {
   void followToggled();
   void orientationChosen(leadline::ui::Orientation orientation);
   void layersRequested();
+  void linksToggled();
   void zoomed(int direction);  ///< +1 closer, -1 farther
   void paletteStepped();
 
@@ -41,7 +44,7 @@ class Rail final : public QWidget {
   void place();
 
   std::array<ToolButton*, 3> tools_{}, orientations_{};
-  ToolButton *follow_, *layers_, *closer_, *farther_, *palette_;
+  ToolButton *follow_, *layers_, *links_, *closer_, *farther_, *palette_;
   std::vector<int> rules_;  ///< y of the lines between groups
   Fold fold_ = Fold::wide;
 };

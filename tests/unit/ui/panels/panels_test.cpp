@@ -395,15 +395,20 @@ TEST_F(Panels, TheRailAsksAndShowsOnlyWhatItIsTold) {
 }
 
 TEST_F(Panels, TheRailKeepsItsButtonsApartWhereHeightIsShort) {
-  for (const int height : {468, 560, 960}) {
-    Rail rail;
-    rail.resize(44, height);
-    const auto buttons = rail.findChildren<QAbstractButton*>();
-    for (const auto* a : buttons) {
-      EXPECT_TRUE(rail.rect().contains(a->geometry())) << height << " " << a->objectName().toStdString();
-      for (const auto* b : buttons) EXPECT_TRUE(a == b || !a->geometry().intersects(b->geometry()));
+  for (const bool links : {false, true})
+    for (const int height : {446, 468, 560, 960}) {
+      Rail rail;
+      rail.resize(44, height);
+      rail.set_links(links, false);
+      rail.show();  // or it is not told its size
+      auto buttons = rail.findChildren<QAbstractButton*>();
+      if (!links) buttons.removeOne(rail.findChild<QAbstractButton*>(QStringLiteral("links")));
+      for (const auto* a : buttons) {
+        EXPECT_TRUE(rail.rect().contains(a->geometry())) << height << " " << a->objectName().toStdString();
+        EXPECT_GE(a->height(), 28);
+        for (const auto* b : buttons) EXPECT_TRUE(a == b || !a->geometry().intersects(b->geometry()));
+      }
     }
-  }
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ Result<Graph> make_graph(const Configuration& configuration, const PluginHost& p
   auto ship = plugins.make_ship_track(configuration.engine_tables, setup, graph.magnetic);
   if (!ship) return ship.error();
   graph.engines.push_back(std::move(ship).value());
+  auto plausibility = plugins.make_plausibility_watch(configuration.engine_tables, setup, graph.magnetic);
+  if (!plausibility) return plausibility.error();
+  graph.engines.push_back(std::move(plausibility).value());
   for (auto& engine : graph.engines) graph.bus->attach(*engine);
   return graph;
 }

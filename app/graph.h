@@ -11,7 +11,7 @@
 namespace leadline::app {
 
 /// A configuration made to run: the bus with a decoder for each source, the engines in the order of their
-/// names, and the ship's own track. Sinks are attached by whoever runs it.
+/// names, the ship's own track and the plausibility watch. Sinks are attached by whoever runs it.
 struct Graph {
   std::shared_ptr<const geo::MagneticModel> magnetic;  ///< null: there is none; then see `magnetic_error`
   std::optional<Error> magnetic_error;  ///< set when a magnetic heading needs the model that is missing

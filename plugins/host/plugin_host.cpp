@@ -232,6 +232,20 @@ Result<std::unique_ptr<Engine>> PluginHost::make_ship_track(
   return Error{"the plugin \"navigation\" is missing", "plugins", "install the program again"};
 }
 
+Result<std::unique_ptr<Engine>> PluginHost::make_plausibility_watch(
+    const EngineTables& tables, const EngineSetup& setup,
+    std::shared_ptr<const geo::MagneticModel> magnetic) const {
+  for (std::size_t i = 0; i < plugins_.size(); ++i) {
+    if (!plugins_[i].house) continue;
+    EngineSetup own = setup;
+    own.magnetic = magnetic.get();
+    return made_at_the_door(plugins_[i].file, [&] {
+      return Result(roots_[i].engine->make_plausibility_watch(*tables.settings_[i], own));
+    });
+  }
+  return Error{"the plugin \"navigation\" is missing", "plugins", "install the program again"};
+}
+
 std::shared_ptr<SourceSettings> PluginHost::source_settings(std::string_view decoder) const {
   const PluginOffer* offer = find(decoders_, decoder);
   if (!offer) return nullptr;

@@ -68,6 +68,11 @@ class PluginHost {
       const EngineTables& tables, const EngineSetup& setup,
       std::shared_ptr<const geo::MagneticModel> magnetic) const;
 
+  /// The plausibility watch, from the house plugin. Error: it is not here.
+  [[nodiscard]] Result<std::unique_ptr<Engine>> make_plausibility_watch(
+      const EngineTables& tables, const EngineSetup& setup,
+      std::shared_ptr<const geo::MagneticModel> magnetic) const;
+
   /// The options a plugin's decoder adds to its [[source]]; empty: no plugin has that decoder.
   [[nodiscard]] std::shared_ptr<SourceSettings> source_settings(std::string_view decoder) const;
   /// settings: from source_settings(name). Error: no decoder of that name, or its plugin will not make it.

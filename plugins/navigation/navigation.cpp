@@ -4,6 +4,7 @@
 
 #include "core/nav/engines/registry.h"
 #include "core/nav/engines/ship_track.h"
+#include "core/nav/plausibility/plausibility_watch.h"
 #include "plugins/sdk/engine_plugin.h"
 
 namespace leadline {
@@ -56,6 +57,12 @@ class NavigationPlugin final : public QObject, public EnginePlugin {
   std::unique_ptr<Engine> make_ship_track(const EngineSettings& settings,
                                           const EngineSetup& setup) const override {
     return std::make_unique<nav::ShipTrack>(setup.sources, options(settings, setup.common), setup.magnetic);
+  }
+
+  std::unique_ptr<Engine> make_plausibility_watch(const EngineSettings& settings,
+                                                  const EngineSetup& setup) const override {
+    return std::make_unique<nav::PlausibilityWatch>(setup.sources, options(settings, setup.common),
+                                                    setup.magnetic);
   }
 };
 

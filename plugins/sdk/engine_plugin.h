@@ -58,6 +58,11 @@ class EnginePlugin {
                                                                 const EngineSetup&) const {
     return nullptr;
   }
+  /// What names instruments that contradict each other, of every body; asked of the house plugin only.
+  [[nodiscard]] virtual std::unique_ptr<Engine> make_plausibility_watch(const EngineSettings&,
+                                                                        const EngineSetup&) const {
+    return nullptr;
+  }
 };
 
 }  // namespace leadline

@@ -78,7 +78,7 @@ NortekVerdict read_ping(const Values& v, bool water, bool full) {
   Numbers n(v);
   constexpr double kFirst_s = 946'684'800.0, kLast_s = 9e9;  // before 2000 its clock was never set
   const double unix_s = n.number(0, 0.0, kLast_s);
-  if (unix_s >= kFirst_s) ping.trigger = from_unix(unix_s);
+  if (unix_s >= kFirst_s && unix_s <= kLast_s) ping.trigger = from_unix(unix_s);
   ping.delay_s = n.number(1, -kLongestDelay, kLongestDelay) * kDelayUnit_s;
   (void)n.number(2, -kLongestDelay, kLongestDelay);
   const auto x = n.unless(-32.768, 3, -kFastest_mps, kFastest_mps),

@@ -16,7 +16,8 @@ namespace leadline::test {
 /// and the reports cover every byte once, in order.
 inline void expect_decoder_law(std::span<const std::uint8_t> bytes, const DecoderMaker& make) {
   constexpr Arrival kArrival{1'795'350'919'600'000'000};
-  const Decoded whole = decode_all(*make(), bytes, kArrival);
+  const auto undivided = make();  // the kinds in its reports live as long as it does
+  const Decoded whole = decode_all(*undivided, bytes, kArrival);
   const std::size_t split = bytes.empty() ? 0 : (bytes.front() * 257U + bytes.back()) % bytes.size();
   const auto decoder = make();
   Decoded parts;

@@ -1,12 +1,33 @@
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <span>
+#include <string_view>
 
 #include "core/decode/nmea0183.h"
 #include "tests/support/decoder_harness.h"
 
-// However a stream is cut, the same facts and reports come out, and the reports cover every byte once.
+namespace {
+
+/// The exclusive or of a sentence's characters, written apart from the decoder, against its two digits.
+bool sum_holds(std::string_view frame) {
+  const auto end = frame.rfind('*');
+  if (end == std::string_view::npos || end + 3 > frame.size()) return false;
+  const auto start = frame.substr(0, end).find_last_of("$!");
+  unsigned sum = 0;
+  for (auto i = start + 1; i < end; ++i) sum ^= static_cast<std::uint8_t>(frame[i]);
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  const auto digit = [&](char c) {
+    return kDigits.find(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+  };
+  return digit(frame[end + 1]) == sum / 16 && digit(frame[end + 2]) == sum % 16;
+}
+
+}  // namespace
+
+// What was decoded has the checksum it claims; however a stream is cut, the same facts and reports come out,
+// and the reports cover every byte once.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace leadline;
   if (size < 2) return 0;
@@ -30,6 +51,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const FrameReport& report : whole.frames) {
     if (report.offset != covered || report.length == 0) std::abort();
     covered += report.length;
+    const std::string_view frame(reinterpret_cast<const char*>(bytes.data()) + report.offset, report.length);
+    if (report.byte_class == ByteClass::decoded && report.checksum == ChecksumState::ok && !sum_holds(frame))
+      std::abort();
   }
   if (covered != bytes.size()) std::abort();
   return 0;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/nav/motion/dvl_velocity.h"
 #include "tests/support/files.h"
 #include "tests/support/recording.h"
@@ -85,10 +87,19 @@ TEST(RiverPro, BestTurnAndScale) {
   EXPECT_LE(best.rms_m, 2.5);
 }
 
-TEST(RiverPro, FixResidualsLieInsideTwoStatedSigmas) {
+class RiverProFused : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Variants, RiverProFused, ::testing::Values("error-state", "windowed-ci", "plain-ci"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_P(RiverProFused, FixResidualsLieInsideTwoStatedSigmas) {
   auto instrument = adcp("RiverPro_test01.PD0");
   instrument.info.calibration.heading = Angle::deg(4.4);
-  const nav::Options options;
+  nav::Options options;
+  options.fusion.variant = GetParam();
   const auto replayed = test::replay({instrument}, options, Body::ship, {"fusion"});
   const auto track = replayed.solutions(0);
   int inside = 0, compared = 0;
@@ -106,6 +117,61 @@ TEST(RiverPro, FixResidualsLieInsideTwoStatedSigmas) {
   std::printf("RiverPro: %.1f %% of %d fix residuals inside two stated sigmas\n", 100.0 * share, compared);
   EXPECT_GT(compared, 200);
   EXPECT_GT(share, 0.95);
+}
+
+struct FusedBoat {
+  std::optional<Angle> misalignment;
+  double late_rms_m = 0.0;  // of the fixes' residuals in the second half
+  int accepted = 0, rejected = 0;
+};
+/// An uncalibrated boat, as the product starts it.
+FusedBoat fused_boat(const std::string& file, const std::string& variant) {
+  nav::Options options;
+  options.fusion.variant = variant;
+  const auto replayed = test::replay({adcp(file)}, options, Body::ship, {"fusion"});
+  FusedBoat boat;
+  boat.misalignment = replayed.solutions(0).back().value.heading_bias;
+  const auto fixes = replayed.verdicts(0);
+  double squares_m2 = 0.0;
+  int late = 0;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    if (fixes[i].value.accepted) ++(*fixes[i].value.accepted ? boat.accepted : boat.rejected);
+    if (i < fixes.size() / 2 || !fixes[i].value.residual_m) continue;
+    squares_m2 += *fixes[i].value.residual_m * *fixes[i].value.residual_m;
+    ++late;
+  }
+  boat.late_rms_m = std::sqrt(squares_m2 / late);
+  std::printf("%s, %s: residuals of the second half RMS %.2f m, %d accepted, %d rejected", file.c_str(),
+              variant.c_str(), boat.late_rms_m, boat.accepted, boat.rejected);
+  if (boat.misalignment) std::printf(", misalignment %+.2f deg", boat.misalignment->deg());
+  std::printf("\n");
+  return boat;
+}
+
+TEST(BoatsFused, FindTheirOwnMisalignment) {
+  struct Boat {
+    const char* file;
+    double best_turn_deg;  // that of BestTurnAndScale
+    double late_rms_m;
+  };
+  // A compass is off by another angle on every course: the filter's misalignment is that of the latest legs.
+  for (const Boat& boat : {Boat{"winriver01.PD0", -23.3, 10.0},
+                           {"winriver02.PD0", -25.6, 2.0},
+                           {"RiverPro_test01.PD0", 4.4, 2.0}}) {
+    const FusedBoat fused = fused_boat(boat.file, "error-state");
+    ASSERT_TRUE(fused.misalignment);
+    EXPECT_NEAR(fused.misalignment->deg(), boat.best_turn_deg, 3.0);
+    EXPECT_LT(fused.late_rms_m, boat.late_rms_m);
+  }
+}
+
+TEST(BoatsFused, WithoutAMisalignmentToEstimateRareFixesAreSoonRefused) {
+  for (const char* variant : {"windowed-ci", "plain-ci"}) {
+    const FusedBoat fused = fused_boat("winriver01.PD0", variant);
+    EXPECT_FALSE(fused.misalignment);
+    EXPECT_LT(fused.accepted, 5) << "its 23 degrees throw it out of the gate between two fixes";
+    EXPECT_GT(fused.late_rms_m, 100.0);
+  }
 }
 
 TEST(Winriver02, BestTurnAndScale) {

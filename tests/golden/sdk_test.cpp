@@ -107,7 +107,7 @@ body = "ship"
   }
   EXPECT_NE(test::read_text(csv + "/summary.json").find("\"decoded\": 100"), std::string::npos);
   EXPECT_TRUE(
-      run("test $(" + (prefix / "bin/leadline").string() + " list engines" + paths + " | wc -l) = 3"));
+      run("test $(" + (prefix / "bin/leadline").string() + " list engines" + paths + " | wc -l) = 4"));
 }
 
 TEST_F(Sdk, TheInterfaceHashIsThatOfTheInstalledHeaders) {

@@ -17,6 +17,11 @@ void apply_initial_depth(const InitialOptions& initial, Motion& motion) {
     motion.depth_known(Depth{-*initial.ellipsoid_height_m}, initial.sd_depth_m);
 }
 
+Geodetic reference_point(const PositionFix& fix, Motion& motion) {
+  if (fix.kind == PositionSource::usbl) return fix.position;
+  return motion.without_lever(fix.position, motion.source(fix.source), fix.t);
+}
+
 void publish_change(const Availability::Change& change, EngineId engine, Time now, EngineOutput& out) {
   out.publish(now, ModeChange{engine, change.from, change.to, change.reason});
 }
@@ -60,7 +65,7 @@ void DeadReckoningEngine::take(const Envelope& envelope, EngineOutput& out) {
 void DeadReckoningEngine::on_fix(const PositionFix& fix, EngineOutput& out) {
   FixVerdict verdict{.engine = setup_.id, .position = fix.position, .depth = fix.depth};
   if (fix.body == setup_.body) {
-    const Geodetic reference = motion_.without_lever(fix.position, motion_.source(fix.source), fix.t);
+    const Geodetic reference = reference_point(fix, motion_);
     if (fix.kind == PositionSource::gnss) {
       availability_.gnss_fix(fix.t);
       if (fix.height) motion_.height_known(*fix.height);

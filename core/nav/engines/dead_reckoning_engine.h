@@ -34,6 +34,10 @@ struct InitialPosition {
 /// Sets the depth [navigation.initial] gives, if any.
 void apply_initial_depth(const InitialOptions& initial, Motion& motion);
 
+/// Where a fix puts the body's reference point. The mount of a USBL source is that of the transceiver on the
+/// ship, which PositionFixes has allowed for: the transponder is taken to be at the reference point.
+[[nodiscard]] Geodetic reference_point(const PositionFix& fix, Motion& motion);
+
 /// Publishes a change of availability as a ModeChange, true at `now`.
 void publish_change(const Availability::Change& change, EngineId engine, Time now, EngineOutput& out);
 

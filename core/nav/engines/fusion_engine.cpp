@@ -16,6 +16,14 @@ constexpr int kComparisons = 60;
 
 Eigen::Matrix2d isotropic(double variance) { return Eigen::Matrix2d::Identity() * variance; }
 
+/// What the filter estimates is not declared as a sigma of dead reckoning a second time.
+Options of_reckoning(const Options& options) {
+  Options own = options;
+  if (estimates_misalignment(options.fusion))
+    own.aiding.dvl_misalignment_deg = own.aiding.dvl_scale_ppm = 0.0;
+  return own;
+}
+
 /// Where it is plain which way: along the ship's axis an offset smells of latency.
 const char* bearing_word(double off_bow_deg) {
   if (std::abs(off_bow_deg) < 10.0) return ", dead ahead";
@@ -27,10 +35,10 @@ const char* bearing_word(double off_bow_deg) {
 
 FusionEngine::FusionEngine(const EngineSetup& setup)
     : setup_(setup),
-      motion_(setup.body, setup.sources, setup.options, setup.magnetic),
+      motion_(setup.body, setup.sources, of_reckoning(setup.options), setup.magnetic),
       fixes_(setup.sources, setup.options, setup.magnetic),
       pace_(setup.options.navigation.output_hz),
-      intersection_(setup.options.aiding.gnss_drms_m),
+      filter_(setup.options),
       rivals_(setup.sources.size()) {
   apply_initial_depth(setup.options.initial, motion_);
 }
@@ -69,7 +77,9 @@ void FusionEngine::propagate_with(Propagation propagation, Time now) {
   if (propagation == propagation_ || !motion_.track.started()) return;
   propagation_ = propagation;
   if (propagation == Propagation::reckoning) {
-    intersection_.reset(constant_velocity_.P_position());
+    filter_.predict(Eigen::Vector2d::Zero(), seconds(motion_.track.time() - reckoned_until_));
+    reckoned_until_ = motion_.track.time();
+    filter_.reset(constant_velocity_.P_position());
     motion_.track.fixed(constant_velocity_.P_position());
     return;
   }
@@ -83,26 +93,39 @@ void FusionEngine::propagate_with(Propagation propagation, Time now) {
     v_ne = motion_.track.last_velocity();
     sd_mps = kKnownSpeedMps;
   }
-  constant_velocity_.reset(motion_.track.covariance(), v_ne, isotropic(sd_mps * sd_mps));
+  constant_velocity_.reset(covariance(), v_ne, isotropic(sd_mps * sd_mps));
   pure_reckoning_ = false;
+  filter_.forget_pairs();
+}
+
+void FusionEngine::start(Time t, const Geodetic& position, const Eigen::Matrix2d& P) {
+  motion_.track.start(t, position, P);
+  filter_.reset(P);
+  epoch_ = reckoned_until_ = t;
+  origin_ = position;
 }
 
 void FusionEngine::on_ping(const Motion::Ping& ping, EngineOutput& out) {
   if (!motion_.track.started()) {
-    if (const auto initial = initial_position(setup_.options.initial)) {
-      motion_.track.start(ping.t, initial->position, initial->P);
-      intersection_.reset(initial->P);
-      epoch_ = ping.t;
-    }
+    if (const auto initial = initial_position(setup_.options.initial))
+      start(ping.t, initial->position, initial->P);
   }
+  DeadReckoning::Velocity velocity = ping.velocity;
+  velocity.v_ne = filter_.over_ground(ping.velocity.v_ne);
+  const Eigen::Vector2d correction_mps = velocity.v_ne - ping.velocity.v_ne;
   if (propagation_ == Propagation::constant_velocity) {
-    motion_.track.hear(ping.t, ping.velocity);
+    motion_.track.hear(ping.t, velocity);
     return;
   }
-  const auto step = motion_.track.velocity(ping.t, ping.velocity);
+  const auto step = motion_.track.velocity(ping.t, velocity);
   if (!step) return;
-  if (!ping.bottom) pure_reckoning_ = false;
-  intersection_.predict(step->displacement / step->dt_s, step->dt_s);
+  if (!ping.bottom) {
+    pure_reckoning_ = false;
+    filter_.forget_pairs();
+  }
+  corrections_ += correction_mps * step->dt_s;
+  filter_.predict(step->displacement / step->dt_s, step->dt_s);
+  reckoned_until_ = ping.t;
   evaluate(ping.t, out);
   publish_row(ping.t, out);
 }
@@ -118,15 +141,13 @@ void FusionEngine::on_fix(const PositionFix& fix, EngineOutput& out) {
     out.publish(fix.t, verdict, fix.source);
     return;
   }
-  const Geodetic reference = motion_.without_lever(fix.position, motion_.source(fix.source), fix.t);
+  const Geodetic reference = reference_point(fix, motion_);
   const bool use = used(fix);
   availability_.surfaced(motion_.surfaced());
 
   if (use && !motion_.track.started() && !initial_position(setup_.options.initial)) {
     const Eigen::Matrix2d P = isotropic(0.5 * fix.drms_m * fix.drms_m);
-    motion_.track.start(fix.t, reference, P);
-    intersection_.reset(P);
-    epoch_ = fix.t;
+    start(fix.t, reference, P);
     position_source_ = fix.kind;
     verdict.accepted = true;
     if (fix.kind == PositionSource::gnss)
@@ -152,11 +173,12 @@ void FusionEngine::on_fix(const PositionFix& fix, EngineOutput& out) {
   if (!use || !here) {
     if (use && fix.kind == PositionSource::gnss) availability_.gnss_fix(fix.t);
     if (here && fix.kind == PositionSource::gnss)
-      compare(fix, residual, intersection_.drift().gate_m(fix.drms_m), out);
+      compare(fix, residual, filter_.drift().gate_m(fix.drms_m), out);
     out.publish(fix.t, verdict, fix.source);
     return;
   }
 
+  if (propagation_ == Propagation::reckoning) align(fix, reference, residual + corrections_, out);
   const FixResult result = update(fix, residual);
   if (fix.kind == PositionSource::gnss)
     availability_.gnss_fix(fix.t);
@@ -188,13 +210,34 @@ FixResult FusionEngine::update(const PositionFix& fix, const Eigen::Vector2d& re
     motion_.track.shift(result.step);
     motion_.track.fixed(constant_velocity_.P_position());
   } else {
-    result = intersection_.fix(residual, seconds(fix.t - epoch_), fix.drms_m,
-                               std::sqrt(motion_.track.grown().trace()));
+    result =
+        filter_.fix(residual, seconds(fix.t - epoch_), fix.drms_m, std::sqrt(motion_.track.grown().trace()));
     motion_.track.shift(result.step);
-    if (result.accepted) motion_.track.fixed(intersection_.P());
+    if (result.accepted) motion_.track.fixed(filter_.P());
   }
   corrections_ += result.step;
   return result;
+}
+
+void FusionEngine::align(const PositionFix& fix, const Geodetic& reference,
+                         const Eigen::Vector2d& dr_residual, EngineOutput& out) {
+  const auto off = geo::difference(origin_, reference);
+  const Eigen::Vector2d z(off.north_m, off.east_m);
+  const auto found = filter_.align(seconds(fix.t - epoch_), {z - dr_residual, z}, fix.drms_m);
+  if (!found) return;
+  Health health{
+      .level = Health::Level::warning,
+      .text = fmt::format("the DVL is turned by {:+.1f} deg beyond its mount (sigma {:.1f}, scale {:.3f}, {} "
+                          "fixes): the position allows for it; calibrate",
+                          found->alpha_rad / kRadPerDeg, found->sd_alpha_rad / kRadPerDeg, found->scale,
+                          found->inliers)};
+  out.publish(fix.t, health);
+}
+
+Eigen::Matrix2d FusionEngine::covariance() const {
+  if (propagation_ == Propagation::reckoning && estimates_misalignment(setup_.options.fusion))
+    return filter_.P() + motion_.track.grown();
+  return motion_.track.covariance();
 }
 
 void FusionEngine::compare(const PositionFix& fix, const Eigen::Vector2d& residual, double gate_m,
@@ -241,7 +284,15 @@ void FusionEngine::publish_row(Time t, EngineOutput& out) {
   if (propagation_ == Propagation::constant_velocity) {
     solution.vel_north_mps = constant_velocity_.velocity().x();
     solution.vel_east_mps = constant_velocity_.velocity().y();
+  } else if (solution.vel_north_mps) {
+    solution.vel_north_mps = motion_.track.last_velocity().x();
+    solution.vel_east_mps = motion_.track.last_velocity().y();
   }
+  const Eigen::Matrix2d P = covariance();
+  solution.var_north_m2 = P(0, 0);
+  solution.cov_north_east_m2 = P(0, 1);
+  solution.var_east_m2 = P(1, 1);
+  solution.heading_bias = filter_.misalignment();
   solution.engine = setup_.id;
   solution.mode = availability_.mode();
   solution.position_source = position_source_;

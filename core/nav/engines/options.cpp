@@ -9,10 +9,11 @@ std::span<const Key<FusionOptions>> fusion_keys() {
   static const std::array<Key<O>, 1> keys{{
       {"variant",
        &O::variant,
-       "plain-ci: covariance intersection of Kim 2010 with corrected weights",
+       "error-state: estimates the DVL's misalignment and scale too; windowed-ci: covariance intersection "
+       "weighted by what the latest fixes did; plain-ci: that of Kim 2010 with corrected weights",
        0,
        0,
-       {"plain-ci"}},
+       {"error-state", "windowed-ci", "plain-ci"}},
   }};
   return keys;
 }

@@ -12,7 +12,7 @@ namespace leadline::nav {
 
 /// [navigation.fusion]
 struct FusionOptions {
-  std::string variant = "plain-ci";
+  std::string variant = "error-state";
 };
 [[nodiscard]] std::span<const Key<FusionOptions>> fusion_keys();
 

@@ -20,13 +20,16 @@ class EngineHarness final : EngineOutput {
     engine_ = make_engine(name, {.body = body, .options = options, .sources = sources_}).value();
   }
 
-  void tell(double t_s, const Message& message, SourceId source = 0) {
+  void tell(double t_s, const Message& message, SourceId source = 0) { tell_late(t_s, t_s, message, source); }
+  /// Heard at t_s, true at valid_s.
+  void tell_late(double t_s, double valid_s, const Message& message, SourceId source = 0) {
     const Time t = at(t_s);
     for (; next_tick_s_ <= t_s; next_tick_s_ += 0.1) {
       const Arrival tick = arrival_at(at(next_tick_s_));
       engine_->take({.valid = tick.host(), .arrival = tick, .message = Tick{tick}}, *this);
     }
-    engine_->take({.valid = t, .arrival = arrival_at(t), .source = source, .message = message}, *this);
+    engine_->take({.valid = at(valid_s), .arrival = arrival_at(t), .source = source, .message = message},
+                  *this);
   }
   void wait_until(double t_s) { tell(t_s, Pressure{}, kNoSource); }
 
